@@ -14,8 +14,8 @@ namespace brick {
 /// a looser value would let the planes that contact works with part visibly from the bilinear surfaces that joints work with.
 constexpr Real planarityTolerance = 1e-6;
 
-/// Smallest volume that the three edges at a corner may span, as a fraction of the product of their lengths. Below it the corner is
-/// flat for all purposes: stiffness would be divided by it.
+/// Smallest volume that the three edges at a corner may span, as a fraction of the product of their lengths, and shortest edge as a fraction of the
+/// longest. Below it the corner is flat for all purposes: strains would be divided by it.
 constexpr Real cornerTolerance = 1e-6;
 
 /// Off-diagonal inertia, as a fraction of the largest moment, that counts as round-off, and difference of two moments that counts as
@@ -53,9 +53,12 @@ struct PrincipalFrame {
 /// @throws std::invalid_argument when the inertia is not finite, not symmetric or not positive definite
 PrincipalFrame principalFrame(const Matrix3r& inertia);
 
-/// Why these corners are not an admissible brick: empty when they are, otherwise what is wrong, the value, and what is allowed.
-/// Checked in this order: finite corners, no edge of zero length, det J > 0 at the corners and Gauss points (not inverted, flat or numbered in
-/// another order), planar faces (planarityTolerance), convex (every corner strictly behind every face that it is not on).
+/// Why no element can be made of these nodes: empty when one can, otherwise what is wrong, the value, and what is allowed. Checked in this order:
+/// finite, no edge of (nearly) zero length, det J > 0 at the corners, the Gauss points and the centre. Faces need not be planar.
+std::string nodesProblem(const Nodes& nodes);
+
+/// Why these corners are not an admissible brick, likewise: nodesProblem, then planar faces (planarityTolerance), then convex (every corner strictly
+/// behind every face that it is not on).
 std::string cornersProblem(const Nodes& corners);
 
 /// Weights of a face's four nodes at its natural coordinates, in the order of faceNodes; they sum to 1.
@@ -85,8 +88,8 @@ struct Hexahedron {
 	Nodes                       corners;
 	std::array<Face, faceCount> faces;
 
-	/// @throws std::invalid_argument with cornersProblem(corners), or when the origin is not inside the brick
-	explicit Hexahedron(const Nodes& corners);
+	/// @throws std::invalid_argument with cornersProblem(restCorners), or when the origin is not inside the brick
+	explicit Hexahedron(const Nodes& restCorners);
 
 	/// Distance from the centre of gravity to the plane of a face, l of eq. (1) [m]; positive.
 	Real distance(int face) const { return faces[face].offset; }

@@ -19,8 +19,6 @@ struct Modes {
 	Shapes                      shapes = Shapes::Zero(); ///< one column a mode [1/sqrt(kg)], body frame; zero beyond count
 	std::array<Real, modeCount> omegaSquared {};         ///< ascending [1/s2], > 0; zero beyond count
 };
-               ///< ascending [1/s2], > 0; zero beyond count
-};
 
 /// Rigid: none. Uniform: the six fields of constant strain (Rayleigh-Ritz in them). Trilinear: all eighteen.
 /// The same input gives the same modes whatever the eigenvalue solver: a simple mode has its largest (first of equals) component positive, in mass-weighted
