@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Contact between any two bodies in any position.                                        [Furukawa2014, sections 2.2 (3) and 2.4, eqs. (4), (9)]
+//
+// Each segment of a face of one body (the owner) is cut to the part that lies inside the other body; this part is a spot of contact:
+//   place        centroid of the part
+//   penetration  distance to the nearest face of the other body, along that face's normal
+//   area         of the part, times the cosine between the two faces, so that what counts is the footprint on the other body's face
+// Both bodies own spots, each with half its weight, so that the order of the bodies does not matter (a support owns none, and a brick's spots on it
+// count fully). The normal force of two flat faces is therefore the exact integral of penetration over their overlap for any number of segments, and
+// it grows from zero when an edge or a corner comes first.
+//   sigma = kn penetration - cn vn >= 0,   tau from  tau' = -ks vt,  |tau| <= sigma tan(phi),  dashpot -cs vt within the same bound
+#pragma once
+
+#include "Joint.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace brick {
+
+/// Most segments along an edge of a face.
+constexpr int largestSegments = 64;
+
+/// One spot of contact. Frame: body axes of the other body, origin at its position.
+struct ContactSpot {
+	int      key; ///< of owner, face and segment: the same segment has the same key in every step; spots are sorted by it
+	int      owner;
+	int      ownerFace, otherFace;
+	Vector4r ownerWeights, otherWeights; ///< of the faces' nodes
+	Vector3r position;                   ///< [m]
+	Vector3r normal;                     ///< outward from the other body
+	Real     penetration;                ///< [m]
+	Real     area;                       ///< footprint times weight [m2]
+};
+
+/// Spots of contact between two bodies; the vector is cleared first and only grows when it has to.
+void findContact(const Side& side0, const Side& side1, std::vector<ContactSpot>& spots);
+
+/// True when some face plane of one of the bodies has the other entirely on its outer side: no contact, found quickly.
+bool separated(const Side& side0, const Side& side1);
+
+/// Shear traction of each spot, carried from step to step: body axes of the owner, acting on the owner [Pa].
+struct ContactMemory {
+	std::vector<int>      keys; ///< ascending
+	std::vector<Vector3r> tractions;
+	void                  clear() { keys.clear(), tractions.clear(); }
+	std::size_t           size() const { return keys.size(); }
+};
+
+/// Forces of all spots on both bodies; `memory` is replaced by the present tractions, `scratch` is working space.
+void contactLoads(
+        const Side&                      side0,
+        const Side&                      side1,
+        const std::vector<ContactSpot>&  spots,
+        const PairSprings&               pair,
+        Real                             dt,
+        ContactMemory&                   memory,
+        ContactMemory&                   scratch,
+        std::array<Loads, 2>&            loads,
+        PairSummary&                     sum);
+
+/// The tractions of a joint whose last segment has failed, laid on the segments of the two faces, so that the contact that takes over goes on with
+/// the same shear.
+ContactMemory tractionsOfJoint(const Joint&, const JointMotion&, Real tanFriction, const Side& side0, const Side& side1);
+
+} // namespace brick
