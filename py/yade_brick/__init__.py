@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Deformable bricks for YADE: ``import yade_brick`` in any YADE script.
+
+Loads the library if YADE has not done so while starting. Its classes (Brick, BrickMat, ...) become attributes of this module,
+of ``yade.wrapper`` and of ``yade``, and names in scripts, as YADE's own classes are.
+
+:raises ImportError: outside YADE, or if the library was built for another YADE or with other compiler flags; then nothing is
+    registered and the message says what to do.
+"""
+import sys as _sys
+
+
+def _load():
+	"""Open the library and return {name: class} of its classes."""
+	if 'yade' not in _sys.modules:
+		raise ImportError(
+		        'yade_brick needs a running YADE: use it in a script that is run by `yade` (or by build/yade), or write `import yade` before it.'
+		)
+	import yade
+	from yade import config, system, wrapper
+	from . import _build
+	if config.version != _build.yadeVersion:
+		raise ImportError(
+		        'yade_brick was built for YADE %s, this is YADE %s. Nothing was loaded. Build yade-brick again on this machine, or install '
+		        'YADE %s (Debian 12: apt-get install yade).' % (_build.yadeVersion, config.version, _build.yadeVersion)
+		)
+	from . import _core
+	classes = {name: getattr(wrapper, name) for name in _core.classes}
+	import __main__
+	for namespace in (yade, __main__):
+		vars(namespace).update(classes)
+	system._allSerializables.update(classes)
+	return classes
+
+
+_classes = _load()
+globals().update(_classes)
+__all__ = sorted(_classes)
