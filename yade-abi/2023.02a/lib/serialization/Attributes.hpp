@@ -75,13 +75,20 @@ namespace detail {
 		}
 	};
 
+	/// A value that postLoad refuses by throwing is taken back, so that a script that catches the error goes on with a valid object.
 	template <class Class, class Member> struct Assign {
 		Member Class::*member;
 		bool           runPostLoad;
 		void           operator()(Class& object, const Member& value) const
 		{
-			object.*member = value;
-			if (runPostLoad) object.callPostLoad();
+			const Member before = object.*member;
+			object.*member      = value;
+			try {
+				if (runPostLoad) object.callPostLoad();
+			} catch (...) {
+				object.*member = before;
+				throw;
+			}
 		}
 	};
 
