@@ -192,8 +192,6 @@ namespace {
 
 } // namespace
 
-bool separated(const Side& side0, const Side& side1) { return View(side1, side0).apart() || View(side0, side1).apart(); }
-
 void findContact(const Side& side0, const Side& side1, std::vector<ContactSpot>& spots)
 {
 	spots.clear();

@@ -33,11 +33,9 @@ struct ContactSpot {
 	Real     area;                       ///< footprint times weight [m2]
 };
 
-/// Spots of contact between two bodies; the vector is cleared first and only grows when it has to.
+/// Spots of contact between two bodies; the vector is cleared first and only grows when it has to. Bodies between which a face plane passes are told apart
+/// by their corners alone.
 void findContact(const Side& side0, const Side& side1, std::vector<ContactSpot>& spots);
-
-/// True when some face plane of one of the bodies has the other entirely on its outer side: no contact, found quickly.
-bool separated(const Side& side0, const Side& side1);
 
 /// Shear traction of each spot, carried from step to step: body axes of the owner, acting on the owner [Pa].
 struct ContactMemory {

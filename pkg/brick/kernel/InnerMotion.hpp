@@ -9,6 +9,8 @@
 
 #include "Types.hpp"
 
+#include <cmath>
+
 namespace brick {
 
 struct ModeState {
@@ -17,12 +19,15 @@ struct ModeState {
 };
 
 /// @param load phi^T f at step n   @param zeta fraction of critical damping   @return q at n + 1, q' at n + 1/2
-inline ModeState advanced(const ModeState& mode, Real load, Real omegaSquared, Real zeta, Real dt)
+/// @param localDamping of the net force against the motion, as NewtonIntegrator.damping; 0 for dynamics
+inline ModeState advanced(const ModeState& mode, Real load, Real omegaSquared, Real zeta, Real localDamping, Real dt)
 {
 	const Real inertia = 1 + dt * dt * omegaSquared / 4;
 	const Real damping = zeta * std::sqrt(omegaSquared) * dt;
-	ModeState  next;
-	next.rate      = ((inertia - damping) * mode.rate + dt * (load - omegaSquared * mode.amplitude)) / (inertia + damping);
+	Real       force   = load - omegaSquared * mode.amplitude;
+	if (localDamping != 0) force *= 1 - std::copysign(localDamping, force * (mode.rate + dt / 2 * force));
+	ModeState next;
+	next.rate      = ((inertia - damping) * mode.rate + dt * force) / (inertia + damping);
 	next.amplitude = mode.amplitude + dt * next.rate;
 	return next;
 }

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "Brick.hpp"
+
+#include <core/Body.hpp>
+#include <core/Cell.hpp>
+#include <core/Scene.hpp>
+
+#include "kernel/Contact.hpp"
+#include "kernel/InnerMotion.hpp"
+#include "kernel/Message.hpp"
+
+#include <map>
+
+namespace yade {
+
+YADE_PLUGIN((Brick)(Bo1_Brick_Aabb));
+
+namespace {
+
+	template <class Value> Value fromName(const char* attribute, const string& name, std::initializer_list<std::pair<const char*, Value>> known)
+	{
+		string allowed;
+		for (const auto& item : known) {
+			if (name == item.first) return item.second;
+			allowed += (allowed.empty() ? "'" : ", '") + string(item.first) + "'";
+		}
+		throw std::invalid_argument(string("Brick.") + attribute + ": '" + name + "' is not known; allowed are " + allowed);
+	}
+
+	brick::Deformation deformationOf(const string& name)
+	{
+		return fromName<brick::Deformation>(
+		        "deformation",
+		        name,
+		        { { "rigid", brick::Deformation::Rigid }, { "uniform", brick::Deformation::Uniform }, { "trilinear", brick::Deformation::Trilinear } });
+	}
+	brick::Element elementOf(const string& name)
+	{
+		return fromName<brick::Element>(
+		        "element", name, { { "full", brick::Element::Full }, { "incompatible", brick::Element::Incompatible }, { "bbar", brick::Element::Bbar } });
+	}
+	brick::Inner innerOf(const string& name)
+	{
+		return fromName<brick::Inner>("inner", name, { { "inset", brick::Inner::Inset }, { "full", brick::Inner::FullSize } });
+	}
+
+	brick::Nodes nodesOf(const std::vector<Vector3r>& corners)
+	{
+		if (corners.size() != brick::nodeCount)
+			throw std::invalid_argument("Brick.corners: " + std::to_string(corners.size()) + " given; a hexahedron has 8");
+		brick::Nodes nodes;
+		std::copy(corners.begin(), corners.end(), nodes.begin());
+		return nodes;
+	}
+
+	Real longestEdge(const brick::Nodes& c) { return (c[6] - c[0]).norm(); }
+
+	/// The dynamics of a brick is written in its principal frame.
+	void checkPrincipalFrame(const brick::Nodes& corners)
+	{
+		constexpr Real tolerance  = 1e-6;
+		const auto     properties = brick::solidProperties(corners);
+		const Real     offset = properties.centroid.norm(), size = longestEdge(corners);
+		if (offset > tolerance * size)
+			throw std::invalid_argument(
+			        "Brick.corners: the centre of gravity is " + std::to_string(offset)
+			        + " m from the origin; corners must be given from the centre of gravity, in principal axes (Brick.solidProperties computes them)");
+		const Matrix3r inertia = properties.inertia;
+		Real           product = 0;
+		for (int i = 0; i < 3; ++i)
+			product = std::max(product, std::abs(inertia(i, (i + 1) % 3)) / inertia.diagonal().maxCoeff());
+		if (product > tolerance)
+			throw std::invalid_argument(
+			        "Brick.corners: the axes are not principal axes of inertia (product of inertia " + std::to_string(product)
+			        + " of the largest moment; allowed is 1e-6); Brick.solidProperties computes the principal frame");
+	}
+
+	/// Types of inner parts in use, so that equal bricks share one.
+	shared_ptr<const brick::InnerPart> sharedInnerPart(const brick::InnerPartType& type)
+	{
+		static std::map<std::vector<Real>, boost::weak_ptr<const brick::InnerPart>> inUse;
+		std::vector<Real> key { Real(int(type.deformation)), Real(int(type.element)), Real(int(type.inner)), type.thickness, type.young, type.poisson, type.density };
+		for (const auto& c : type.corners)
+			key.insert(key.end(), c.data(), c.data() + 3);
+		auto& entry = inUse[key];
+		auto  found = entry.lock();
+		if (!found) entry = found = shared_ptr<const brick::InnerPart>(new brick::InnerPart(type));
+		return found;
+	}
+
+} // namespace
+
+void Brick::postLoad(Brick&)
+{
+	const auto level = deformationOf(deformation);
+	elementOf(element);
+	innerOf(inner);
+	if (segments < 1 || segments > brick::largestSegments)
+		throw std::invalid_argument("Brick.segments: " + std::to_string(segments) + "; allowed is 1 to " + std::to_string(brick::largestSegments));
+	checkDeformation();
+	inside.reset();
+	if (corners.empty()) return;
+
+	const brick::Nodes nodes = nodesOf(corners);
+	solid.reset(new brick::Hexahedron(nodes));
+	checkPrincipalFrame(nodes);
+	if (level == brick::Deformation::Rigid) {
+		for (int f = 0; f < brick::faceCount; ++f)
+			contactLength[f] = solid->distance(f);
+	} else {
+		brick::insetCorners(*solid, contactThickness); // refuses a thickness that the brick cannot have, wherever the inner part ends
+		contactLength.fill(contactThickness);
+	}
+}
+
+void Brick::checkDeformation() const
+{
+	const std::size_t modes = deformation == "rigid" ? 0 : deformation == "uniform" ? 6 : 18;
+	if (!amplitudes.empty() && amplitudes.size() != modes)
+		throw std::invalid_argument(
+		        "Brick.deformation: cannot become '" + deformation + "' while the brick is deformed (" + std::to_string(amplitudes.size())
+		        + " modes in motion); make a new brick instead");
+}
+
+const brick::InnerPart* Brick::innerPart(const BrickMat& material)
+{
+	if (!isDeformable()) return nullptr;
+	const std::array<Real, 3> wanted { material.young, material.poisson, material.density };
+	if (inside && insideMaterial == wanted) return inside.get();
+	brick::InnerPartType type;
+	type.corners     = nodesOf(corners);
+	type.deformation = deformationOf(deformation);
+	type.element     = elementOf(element);
+	type.inner       = innerOf(inner);
+	type.thickness   = contactThickness;
+	type.young       = material.young;
+	type.poisson     = material.poisson;
+	type.density     = material.density;
+	inside           = sharedInnerPart(type);
+	insideMaterial   = wanted;
+	amplitudes.resize(inside->modes.count, 0);
+	rates.resize(inside->modes.count, 0);
+	displacement.resize(brick::nodeCount, Vector3r::Zero());
+	displacementRate.resize(brick::nodeCount, Vector3r::Zero());
+	return inside.get();
+}
+
+void Brick::advance(const brick::Nodes& forces, Real dampingRatio, Real localDamping, Real dt)
+{
+	const brick::Modes& modes = inside->modes;
+	brick::Vector24     f, u = brick::Vector24::Zero(), rate = brick::Vector24::Zero();
+	for (int a = 0; a < brick::nodeCount; ++a)
+		f.segment<3>(3 * a) = forces[a];
+	for (int k = 0; k < modes.count; ++k) {
+		const Real load      = modes.shapes.col(k).dot(f);
+		const auto next      = brick::advanced({ amplitudes[k], rates[k] }, load, modes.omegaSquared[k], dampingRatio, localDamping, dt);
+		amplitudes[k]        = next.amplitude;
+		rates[k]             = next.rate;
+		u += next.amplitude * modes.shapes.col(k);
+		rate += next.rate * modes.shapes.col(k);
+	}
+	for (int a = 0; a < brick::nodeCount; ++a) {
+		displacement[a]     = u.segment<3>(3 * a);
+		displacementRate[a] = rate.segment<3>(3 * a);
+	}
+}
+
+brick::Placement Brick::placement(const Vector3r& position, const State& state) const
+{
+	brick::Placement p;
+	p.position        = position;
+	p.rotation        = state.ori.toRotationMatrix();
+	p.velocity        = state.vel;
+	p.angularVelocity = state.angVel;
+	if (!displacement.empty()) {
+		p.displacement     = displacement.data();
+		p.displacementRate = displacementRate.data();
+	}
+	return p;
+}
+
+brick::Side Brick::side(const Vector3r& position, const State& state) const
+{
+	brick::Side s;
+	s.solid         = solid.get();
+	s.contactLength = &contactLength;
+	s.segments      = segments;
+	s.placement     = placement(position, state);
+	return s;
+}
+
+std::vector<Vector3r> Brick::worldCorners(const shared_ptr<State>& state) const
+{
+	std::vector<Vector3r> out;
+	for (std::size_t a = 0; a < corners.size(); ++a)
+		out.push_back(state->pos + state->ori * (displacement.empty() ? corners[a] : Vector3r(corners[a] + displacement[a])));
+	return out;
+}
+
+Vector6r Brick::stress() const
+{
+	if (!isDeformable()) return Vector6r::Zero();
+	if (!inside) return Vector6r::Constant(NaN);
+	brick::Vector24 u;
+	for (int a = 0; a < brick::nodeCount; ++a)
+		u.segment<3>(3 * a) = displacement[a];
+	return brick::centreStress(inside->nodes, inside->young, inside->poisson, u);
+}
+
+Real Brick::volume() const { return corners.empty() ? NaN : brick::solidProperties(nodesOf(corners)).volume; }
+
+boost::python::dict Brick::solidProperties(const std::vector<Vector3r>& given)
+{
+	brick::Nodes nodes   = nodesOf(given);
+	const string problem = brick::cornersProblem(nodes);
+	if (!problem.empty()) throw std::invalid_argument("corners: " + problem);
+	const auto            solid = brick::solidProperties(nodes);
+	const auto            frame = brick::principalFrame(solid.inertia);
+	std::vector<Vector3r> local;
+	for (const auto& x : nodes)
+		local.push_back(frame.orientation.conjugate() * (x - solid.centroid));
+	boost::python::dict out;
+	out["volume"]      = solid.volume;
+	out["centroid"]    = Vector3r(solid.centroid);
+	out["inertia"]     = Vector3r(frame.inertia);
+	out["orientation"] = Quaternionr(frame.orientation);
+	out["corners"]     = local;
+	return out;
+}
+
+void Bo1_Brick_Aabb::go(const shared_ptr<Shape>& shape, shared_ptr<Bound>& bound, const Se3r& se3, const Body*)
+{
+	const Brick& b = static_cast<const Brick&>(*shape);
+	if (!b.solid) return;
+	if (!bound) bound = shared_ptr<Bound>(new Aabb);
+	Vector3r lower, upper;
+	for (int a = 0; a < brick::nodeCount; ++a) {
+		Vector3r x = b.solid->corners[a];
+		if (!b.displacement.empty()) x += b.displacement[a];
+		const Vector3r turned = se3.orientation * x;
+		lower                 = a ? Vector3r(lower.cwiseMin(turned)) : turned;
+		upper                 = a ? Vector3r(upper.cwiseMax(turned)) : turned;
+	}
+	const Vector3r centre = scene->isPeriodic ? scene->cell->unshearPt(se3.position) : se3.position;
+	bound->min            = centre + lower;
+	bound->max            = centre + upper;
+}
+
+} // namespace yade

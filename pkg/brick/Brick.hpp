@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The brick: rest geometry, how its deformation is followed, and the present deformation. Its rigid motion is the body's State.
+#pragma once
+
+#include "BrickMat.hpp"
+
+#include <core/Aabb.hpp>
+#include <core/Dispatching.hpp>
+#include <core/Shape.hpp>
+#include <core/State.hpp>
+
+#include "kernel/InnerPart.hpp"
+#include "kernel/Placement.hpp"
+
+namespace yade {
+
+class Brick : public Shape {
+public:
+	// Derived from the attributes by postLoad; null as long as no corners are given.
+	shared_ptr<const brick::Hexahedron>       solid;
+	std::array<Real, brick::faceCount>        contactLength { 0, 0, 0, 0, 0, 0 };
+
+	bool             isDeformable() const { return deformation != "rigid"; }
+	brick::Placement placement(const Vector3r& position, const State& state) const;
+	brick::Side      side(const Vector3r& position, const State& state) const;
+
+	/// Modes of this brick in this material; equal bricks share them. Null for a rigid brick. Not to be called in parallel.
+	const brick::InnerPart* innerPart(const BrickMat& material);
+
+	/// Moves the deformation part by a step under nodal forces in body axes [N].
+	/// @param localDamping of the modes, as NewtonIntegrator.damping is of the rigid motion
+	void advance(const brick::Nodes& forces, Real dampingRatio, Real localDamping, Real dt);
+
+	/// Deformed corners in world axes, in the order of `corners` [m].
+	std::vector<Vector3r> worldCorners(const shared_ptr<State>& state) const;
+	Vector6r              stress() const;
+	Real                  volume() const;
+	static boost::python::dict solidProperties(const std::vector<Vector3r>& corners);
+
+	void postLoad(Brick&);
+	// clang-format off
+	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(Brick, Shape, R"(Convex hexahedron with planar faces, rigid or deformable [Furukawa2014]_.
+
+A deformable brick has an inner hexahedron, an 8-node finite element that deforms relative to the body's rigid motion, and an outer contact part of constant thickness cut into segments. Mass and inertia (:yref:`State.mass`, :yref:`State.inertia`) are those of the whole solid: use ``yade_brick.brick`` to make bodies.
+
+Limitations: small strain in the co-rotated frame; inertia forces of the rotation (centrifugal) do not load the element.)",
+		((vector<Vector3r>, corners, , Attr::triggerPostLoad, "Eight corners at rest in body axes [m]: the origin is the centre of gravity and the axes are principal axes of inertia. Order: (---), (+--), (++-), (-+-), then the same with z +."))
+		((string, deformation, "trilinear", Attr::triggerPostLoad, "How deformation is followed: 'rigid' (not at all: refined DEM), 'uniform' (the 6 states of constant strain) or 'trilinear' (all 18 modes of the element)."))
+		((string, element, "full", Attr::triggerPostLoad, "Stiffness of the inner hexahedron: 'full' (2x2x2 Gauss points, as the paper; too stiff in bending), 'incompatible' (bends right) or 'bbar' (for nu near 0.5)."))
+		((string, inner, "inset", Attr::triggerPostLoad, "Where the inner hexahedron ends: 'inset' by :yref:`contactThickness<Brick.contactThickness>` (the paper) or 'full', the brick's own corners."))
+		((Real, contactThickness, NaN, Attr::triggerPostLoad, "Thickness r of the contact part [m], eq. (16). Needed unless rigid."))
+		((int, segments, 4, Attr::triggerPostLoad, "Segments along each edge of a face, 1 to 64."))
+		((vector<Real>, amplitudes, , Attr::readonly, "Amplitude of each deformation mode [sqrt(kg) m]; empty before the first step and for rigid bricks."))
+		((vector<Real>, rates, , Attr::readonly, "Rate of each amplitude, half a step before [sqrt(kg) m/s]."))
+		((vector<Vector3r>, displacement, , Attr::readonly, "Displacement of the eight nodes relative to the rigid motion, body axes [m]; empty for rigid bricks."))
+		((vector<Vector3r>, displacementRate, , Attr::readonly, "Its rate, half a step before [m/s].")),
+		/*ctor*/ createIndex();,
+		/*py*/
+		.def("worldCorners", &Brick::worldCorners, (boost::python::arg("state")), "Deformed corners in world axes for the given state [m], in the order of corners.")
+		.def("stress", &Brick::stress, "Mean stress of the inner hexahedron in body axes [Pa], tension positive: xx, yy, zz, xy, yz, zx. Zero for a rigid brick; NaN before the first step after making or loading, when the material is not known yet.")
+		.add_property("volume", &Brick::volume, "Volume at rest [m3].")
+		.def("solidProperties", &Brick::solidProperties, (boost::python::arg("corners")), "Properties of the solid with eight given corners in any axes: dict of volume [m3], centroid [m], inertia (principal, for unit density [m5]), orientation (principal axes in the corners' axes), corners (in the principal frame [m]). Raises ValueError when the corners are no brick.")
+		.staticmethod("solidProperties")
+	);
+	// clang-format on
+	REGISTER_CLASS_INDEX(Brick, Shape);
+
+private:
+	shared_ptr<const brick::InnerPart> inside;
+	std::array<Real, 3>                insideMaterial { 0, 0, 0 }; // young, poisson, density that `inside` was made for
+	void                               checkDeformation() const;
+};
+REGISTER_SERIALIZABLE(Brick);
+
+class Bo1_Brick_Aabb : public BoundFunctor {
+public:
+	void go(const shared_ptr<Shape>&, shared_ptr<Bound>&, const Se3r&, const Body*) override;
+	FUNCTOR1D(Brick);
+	YADE_CLASS_BASE_DOC(Bo1_Brick_Aabb, BoundFunctor, "Axis-aligned box around the deformed corners of a :yref:`Brick`. With :yref:`InsertionSortCollider.verletDist` > 0, :yref:`BrickDynamics` asks for new boxes when a brick turns or bulges out of its box.");
+};
+REGISTER_SERIALIZABLE(Bo1_Brick_Aabb);
+
+} // namespace yade

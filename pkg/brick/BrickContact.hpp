@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Joints and contacts of bricks with bricks and supports: geometry, physics and law. The numerics is in kernel/Joint and kernel/Contact.
+//
+// Side 0 is the support, or of two bricks the one with the lower id, whatever the order of the interaction's ids (which depends on the collider's past).
+#pragma once
+
+#include "Brick.hpp"
+#include "KernelArchive.hpp"
+
+#include <core/Interaction.hpp>
+#include <core/Scene.hpp>
+#include <pkg/common/Box.hpp>
+#include <pkg/common/Wall.hpp>
+#include <pkg/dem/FrictPhys.hpp>
+#include <pkg/dem/ScGeom.hpp>
+
+namespace yade {
+
+class BrickGeom : public GenericSpheresContact {
+public:
+	// present geometry, found anew in each step
+	std::array<brick::Side, 2>          sides;
+	std::vector<brick::ContactSpot>     spots;  // of an ordinary contact
+	brick::JointMotion                  motion; // of a joint
+	shared_ptr<const brick::Hexahedron> supportSolid;
+	bool                                reversed = false; // side 0 is the interaction's id2
+
+	// clang-format off
+	YADE_CLASS_BASE_DOC_ATTRS_CTOR(BrickGeom, GenericSpheresContact, "Geometry of a joint or contact of a :yref:`Brick`: where the segments of either body are inside the other, or how far the two faces of a joint have moved apart. :yref:`normal<GenericSpheresContact.normal>` points from id1 to id2, :yref:`contactPoint<GenericSpheresContact.contactPoint>` is the middle of the area in contact.",
+		((Real, penetration, 0, Attr::readonly, "Largest penetration of a segment [m]; negative when a joint is open everywhere."))
+		((Real, area, 0, Attr::readonly, "Area of the joint or of the present contact [m2]."))
+		((int, spotCount, 0, Attr::readonly, "Segments of either body in contact; 0 for a joint.")),
+		createIndex();
+	);
+	// clang-format on
+	REGISTER_CLASS_INDEX(BrickGeom, GenericSpheresContact);
+};
+REGISTER_SERIALIZABLE(BrickGeom);
+
+class BrickPhys : public FrictPhys {
+public:
+	// what this interaction does to its two bodies in the present step; side 0 as in BrickGeom
+	std::array<brick::Loads, 2> loads;
+	std::array<Body::id_t, 2>   ids { -1, -1 };
+	brick::ContactMemory        scratch;
+
+	bool                  isJoint() const { return joint.exists(); }
+	int                   segmentCount() const { return int(joint.segments.size()); }
+	std::vector<int>      segmentState() const;
+	std::vector<Real>     segmentArea() const;
+	std::vector<Vector3r> segmentPoints(const shared_ptr<BrickGeom>&) const;
+	std::vector<Real>     normalStress(const shared_ptr<BrickGeom>&) const;
+	std::vector<Vector3r> shearStress(const shared_ptr<BrickGeom>&) const;
+
+	// clang-format off
+	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(BrickPhys, FrictPhys, R"(Springs, mortar and friction between a :yref:`Brick` and another body [Furukawa2014]_, eqs. (2)-(9), (16).
+
+:yref:`kn<NormPhys.kn>` and :yref:`ks<NormShearPhys.ks>` are sums over the area in contact [N/m]; the method's springs are per unit area. :yref:`normalForce<NormPhys.normalForce>` and :yref:`shearForce<NormShearPhys.shearForce>` act on id2.)",
+		((brick::PairSprings, springs, , Attr::hidden, "Compliances and damping of the pair."))
+		((brick::Joint, joint, , Attr::hidden, "Mortar joint; without segments for an ordinary contact."))
+		((brick::ContactMemory, memory, , Attr::hidden, "Shear tractions of an ordinary contact."))
+		((Real, deepest, 0, Attr::readonly, "Largest penetration so far as a fraction of the thinner contact part; above 1 the contact is outside the method (crushing).")),
+		createIndex();,
+		/*py*/
+		.add_property("jointed", &BrickPhys::isJoint, "Whether this is a mortar joint with at least one segment that holds; otherwise an ordinary contact.")
+		.add_property("segmentState", &BrickPhys::segmentState, "State of each segment of a joint: 0 intact, 1 failed in tension, 2 in shear, 3 in compression. Empty for an ordinary contact.")
+		.add_property("segmentArea", &BrickPhys::segmentArea, "Area of each segment of a joint [m2].")
+		.def("segmentPoints", &BrickPhys::segmentPoints, (boost::python::arg("geom")), "Place of each segment of a joint in the last step, world axes [m].")
+		.def("normalStress", &BrickPhys::normalStress, (boost::python::arg("geom")), "Normal stress of each segment of a joint in the last step, tension positive, dashpots left out [Pa].")
+		.def("shearStress", &BrickPhys::shearStress, (boost::python::arg("geom")), "Shear stress of each segment of a joint in the last step, acting on the body with the lower id (or the support), world axes [Pa].")
+	);
+	// clang-format on
+	REGISTER_CLASS_INDEX(BrickPhys, FrictPhys);
+};
+REGISTER_SERIALIZABLE(BrickPhys);
+
+class Ig2_Brick_Brick_BrickGeom : public IGeomFunctor {
+public:
+	bool go(const shared_ptr<Shape>&, const shared_ptr<Shape>&, const State&, const State&, const Vector3r&, const bool&, const shared_ptr<Interaction>&) override;
+	FUNCTOR2D(Brick, Brick);
+	DEFINE_FUNCTOR_ORDER_2D(Brick, Brick);
+	YADE_CLASS_BASE_DOC(Ig2_Brick_Brick_BrickGeom, IGeomFunctor, "Joint or contact of two bricks in any position.");
+};
+REGISTER_SERIALIZABLE(Ig2_Brick_Brick_BrickGeom);
+
+class Ig2_Wall_Brick_BrickGeom : public IGeomFunctor {
+public:
+	bool go(const shared_ptr<Shape>&, const shared_ptr<Shape>&, const State&, const State&, const Vector3r&, const bool&, const shared_ptr<Interaction>&) override;
+	FUNCTOR2D(Wall, Brick);
+	DEFINE_FUNCTOR_ORDER_2D(Wall, Brick);
+	YADE_CLASS_BASE_DOC(Ig2_Wall_Brick_BrickGeom, IGeomFunctor, "Joint or contact of a brick with a :yref:`Wall`. The wall is rigid: the brick's segments and springs count alone. A wall of sense 0 is touched from the side on which the brick's centre is.");
+};
+REGISTER_SERIALIZABLE(Ig2_Wall_Brick_BrickGeom);
+
+class Ig2_Box_Brick_BrickGeom : public IGeomFunctor {
+public:
+	bool go(const shared_ptr<Shape>&, const shared_ptr<Shape>&, const State&, const State&, const Vector3r&, const bool&, const shared_ptr<Interaction>&) override;
+	FUNCTOR2D(Box, Brick);
+	DEFINE_FUNCTOR_ORDER_2D(Box, Brick);
+	YADE_CLASS_BASE_DOC(Ig2_Box_Brick_BrickGeom, IGeomFunctor, "Joint or contact of a brick with a :yref:`Box`, which is a rigid support or platen: the brick's segments and springs count alone, so a corner of a box that points into the middle of a brick's face is felt only through the brick's segments around it.");
+};
+REGISTER_SERIALIZABLE(Ig2_Box_Brick_BrickGeom);
+
+class Ip2_BrickMat_BrickMat_BrickPhys : public IPhysFunctor {
+public:
+	void go(const shared_ptr<Material>&, const shared_ptr<Material>&, const shared_ptr<Interaction>&) override;
+	FUNCTOR2D(BrickMat, BrickMat);
+	YADE_CLASS_BASE_DOC(Ip2_BrickMat_BrickMat_BrickPhys, IPhysFunctor, "Springs of an ordinary contact, eqs. (3), (4), (16); the lower of the two friction angles. Joints are made by :yref:`MortarJoints`.");
+};
+REGISTER_SERIALIZABLE(Ip2_BrickMat_BrickMat_BrickPhys);
+
+class Ip2_FrictMat_BrickMat_BrickPhys : public IPhysFunctor {
+public:
+	void go(const shared_ptr<Material>&, const shared_ptr<Material>&, const shared_ptr<Interaction>&) override;
+	FUNCTOR2D(FrictMat, BrickMat);
+	YADE_CLASS_BASE_DOC(Ip2_FrictMat_BrickMat_BrickPhys, IPhysFunctor, "The same for a support (:yref:`Wall` or :yref:`Box`) of plain :yref:`FrictMat`: only its friction angle is used.");
+};
+REGISTER_SERIALIZABLE(Ip2_FrictMat_BrickMat_BrickPhys);
+
+class Law2_BrickGeom_BrickPhys_Mortar : public LawFunctor {
+public:
+	bool go(shared_ptr<IGeom>&, shared_ptr<IPhys>&, Interaction*) override;
+	FUNCTOR2D(BrickGeom, BrickPhys);
+	// clang-format off
+	YADE_CLASS_BASE_DOC_ATTRS(Law2_BrickGeom_BrickPhys_Mortar, LawFunctor, R"(Mortar that cracks segment by segment, and contact with friction and dashpots [Furukawa2014]_, eqs. (4)-(9).
+
+When the last segment of a joint has failed, the pair goes on as an ordinary contact with the same shear. The law computes what each interaction does; :yref:`BrickDynamics` adds it up.)",
+		((long, tensionFailures, 0, Attr::readonly, "Segments failed in tension so far, eq. (6)."))
+		((long, shearFailures, 0, Attr::readonly, "Segments failed in shear so far, eq. (7)."))
+		((long, compressionFailures, 0, Attr::readonly, "Segments failed in compression so far, eq. (8)."))
+		((long, crushedContacts, 0, Attr::readonly, "Interactions so far whose penetration came to exceed the contact part: outside the method, computed on with the same springs."))
+	);
+	// clang-format on
+};
+REGISTER_SERIALIZABLE(Law2_BrickGeom_BrickPhys_Mortar);
+
+/// A wall as a slab whose one face is the wall, on the side of the given point.
+brick::Side sideOfWall(const Wall&, const State&, const Vector3r& brickPosition);
+brick::Side sideOfBox(const State&, const brick::Hexahedron&);
+
+/// Compliances, densities, damping and friction of two bodies; side 0 may be a support of any FrictMat.
+brick::PairSprings pairSprings(const Material& side0, bool support, const BrickMat& side1);
+
+} // namespace yade

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Adds up what joints and contacts do to each body, and moves the deformation parts.                     [Furukawa2014, eqs. (10), (17)-(18)]
+// Stands between InteractionLoop and NewtonIntegrator.
+#pragma once
+
+#include "BrickContact.hpp"
+
+#include <core/GlobalEngine.hpp>
+
+namespace yade {
+
+class BrickDynamics : public GlobalEngine {
+public:
+	void action() override;
+	void postLoad(BrickDynamics&);
+
+	// clang-format off
+	YADE_CLASS_BASE_DOC_ATTRS(BrickDynamics, GlobalEngine, R"(Forces and torques of all joints and contacts of bricks, summed for each body over its interactions in the order of ids (so that results do not depend on the number of threads), and one step of every brick's deformation modes, eqs. (17), (18). Must stand after :yref:`InteractionLoop` and before :yref:`NewtonIntegrator`, which moves the bricks as rigid bodies.
+
+Raises an error, naming the body, when a brick lacks what it needs or a force is not finite.)",
+		((Real, damping, 0, Attr::triggerPostLoad, "Local non-viscous damping of the modes [-], 0 to 1 exclusive, as :yref:`NewtonIntegrator.damping` for the rigid motion; 0 for dynamics."))
+	);
+	// clang-format on
+
+private:
+	struct Member {
+		Body*           body;
+		Brick*          brick;        // null for a support
+		Real            dampingRatio; // of the modes
+		brick::Loads    total;
+	};
+	std::vector<Member> members;
+
+	void gather();
+	void sum(Member&) const;
+	void askForNewBounds(const Member&) const;
+};
+REGISTER_SERIALIZABLE(BrickDynamics);
+
+} // namespace yade

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "BrickTimeStepper.hpp"
+
+#include <core/Body.hpp>
+
+#include "kernel/StableStep.hpp"
+
+namespace yade {
+
+YADE_PLUGIN((BrickTimeStepper));
+
+namespace {
+
+	constexpr Real infinity = std::numeric_limits<Real>::infinity();
+
+	Real longest(const std::array<Real, brick::faceCount>& l) { return *std::max_element(l.begin(), l.end()); }
+	Real shortest(const std::array<Real, brick::faceCount>& l) { return *std::min_element(l.begin(), l.end()); }
+
+	brick::Elasticity elasticityOf(const BrickMat& m) { return { m.young, m.poisson }; }
+
+	/// Largest c/k of the dashpots between two bricks, eq. (4): 2 h sqrt(mave / k).
+	Real dashpotTime(const BrickMat& own, const Brick& shape, const BrickMat* other, const Brick* otherShape)
+	{
+		Real mass = own.density * longest(shape.contactLength), soft = longest(shape.contactLength);
+		Real normal = soft * elasticityOf(own).normalCompliance(), shear = soft * elasticityOf(own).shearCompliance();
+		Real hn = own.hn, hs = own.hs;
+		if (other) {
+			const Real l = longest(otherShape->contactLength);
+			mass += other->density * l;
+			normal += l * elasticityOf(*other).normalCompliance();
+			shear += l * elasticityOf(*other).shearCompliance();
+			hn = (own.hn + other->hn) / 2, hs = (own.hs + other->hs) / 2;
+		}
+		return 2 * std::max(hn * std::sqrt(mass * normal), hs * std::sqrt(mass * shear));
+	}
+
+} // namespace
+
+void BrickTimeStepper::postLoad(BrickTimeStepper&)
+{
+	if (!(safety > 0 && safety <= 1)) throw std::invalid_argument("BrickTimeStepper.safety: " + std::to_string(safety) + "; must be in (0, 1]");
+}
+
+BrickTimeStepper::Partners BrickTimeStepper::partnersOf(const Body& b, const Brick& shape, const BrickMat& material, Scene* scene)
+{
+	// at the least its like, which it may meet any time
+	const Real l = shortest(shape.contactLength);
+	Partners   p { { l * elasticityOf(material).normalCompliance(), infinity }, { l * elasticityOf(material).shearCompliance(), infinity }, dashpotTime(material, shape, &material, &shape) };
+	for (const auto& item : b.intrs) {
+		const auto& other = Body::byId(item.first, scene);
+		if (!other || !other->shape) continue;
+		const auto* otherShape = dynamic_cast<const Brick*>(other->shape.get());
+		const auto* otherMat   = dynamic_cast<const BrickMat*>(other->material.get());
+		const auto* phys       = dynamic_cast<const BrickPhys*>(item.second->phys.get());
+		if (!otherShape && !dynamic_cast<const Wall*>(other->shape.get()) && !dynamic_cast<const Box*>(other->shape.get())) continue;
+		const bool held   = !other->isDynamic();
+		Real       normal = phys ? phys->springs.mortarNormal : 0, shear = phys ? phys->springs.mortarShear : 0;
+		if (otherShape && otherShape->solid && otherMat) {
+			normal += shortest(otherShape->contactLength) * elasticityOf(*otherMat).normalCompliance();
+			shear += shortest(otherShape->contactLength) * elasticityOf(*otherMat).shearCompliance();
+		}
+		p.normal[held] = std::min(p.normal[held], normal);
+		p.shear[held]  = std::min(p.shear[held], shear);
+		p.dashpotTime  = std::max(p.dashpotTime, dashpotTime(material, shape, otherMat && otherShape ? otherMat : nullptr, otherShape));
+	}
+	return p;
+}
+
+Real BrickTimeStepper::stepOf(const Body& b, Brick& shape, const BrickMat& material, const Partners& partners)
+{
+	const auto known_ = known.find(b.getId());
+	if (known_ != known.end() && known_->second.partners == partners) return known_->second.step;
+
+	const State&            state = *b.state;
+	const brick::InnerPart* inner = shape.innerPart(material);
+	std::array<brick::FaceSprings, brick::faceCount> springs;
+	for (int f = 0; f < brick::faceCount; ++f) {
+		const Real l = shape.contactLength[f], n = l * elasticityOf(material).normalCompliance(), s = l * elasticityOf(material).shearCompliance();
+		springs[f]   = { std::max(2 / (n + partners.normal[0]), 1 / (n + partners.normal[1])), std::max(2 / (s + partners.shear[0]), 1 / (s + partners.shear[1])) };
+	}
+	std::vector<Real> key { state.mass, state.inertia[0], state.inertia[1], state.inertia[2], partners.dashpotTime };
+	for (const auto& f : springs)
+		key.push_back(f.normal), key.push_back(f.shear);
+	for (const auto& c : shape.solid->corners)
+		key.insert(key.end(), c.data(), c.data() + 3);
+	if (inner)
+		for (int k = 0; k < inner->modes.count; ++k)
+			key.push_back(inner->modes.omegaSquared[k]);
+	auto found = shared.find(key);
+	if (found == shared.end()) {
+		const Real omegaSquared = brick::largestOmegaSquared(*shape.solid, springs, state.mass, state.inertia, inner ? &inner->modes : nullptr);
+		found                   = shared.emplace(key, brick::stableStep(omegaSquared, partners.dashpotTime)).first;
+	}
+	known[b.getId()] = { partners, found->second };
+	return found->second;
+}
+
+void BrickTimeStepper::computeTimeStep(Scene* scene)
+{
+	for (const auto& b : *scene->bodies) {
+		if (!b || !b->shape || !b->isDynamic()) continue;
+		Brick*      shape    = dynamic_cast<Brick*>(b->shape.get());
+		const auto* material = dynamic_cast<const BrickMat*>(b->material.get());
+		if (!shape || !shape->solid || !material || !(b->state->mass > 0)) continue;
+		const Real step = stepOf(*b, *shape, *material, partnersOf(*b, *shape, *material, scene));
+		if (step < limit) limit = step, limitingBrick = b->getId();
+	}
+	if (limit < infinity) scene->dt = safety * limit;
+}
+
+} // namespace yade

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Time step from a proven bound on the frequencies of the present assembly: kernel/StableStep.
+#pragma once
+
+#include "BrickContact.hpp"
+
+#include <core/TimeStepper.hpp>
+
+#include <map>
+
+namespace yade {
+
+class BrickTimeStepper : public TimeStepper {
+public:
+	void computeTimeStep(Scene*) override;
+	void postLoad(BrickTimeStepper&);
+
+	// clang-format off
+	YADE_CLASS_BASE_DOC_ATTRS(BrickTimeStepper, TimeStepper, R"(Sets :yref:`O.dt<Omega.dt>` to :yref:`safety<BrickTimeStepper.safety>` times a proven lower bound of the largest stable step: each brick alone, every face standing on the stiffest springs that the bodies near it give (twice the springs to bodies that can move), with its exact mass and inertia, its modes, and dashpots that lag by half a step. The stiffness of the inner hexahedra does not limit the step.
+
+The step never grows during a run, so that a run continued from a file takes the same steps. Should stand after the collider.)",
+		((Real, safety, .9, Attr::triggerPostLoad, "Fraction of the bound, in (0, 1]."))
+		((Real, limit, std::numeric_limits<Real>::infinity(), Attr::readonly, "The bound [s]; infinite before the first step."))
+		((int, limitingBrick, -1, Attr::readonly, "Id of the brick that sets it."))
+	);
+	// clang-format on
+
+private:
+	/// Stiffest partners of one brick: compliance per area beyond the brick's own [m/Pa], of bodies that move and of bodies that are held.
+	struct Partners {
+		std::array<Real, 2> normal, shear; // moving, held
+		Real                dashpotTime;
+		bool                operator==(const Partners& o) const { return normal == o.normal && shear == o.shear && dashpotTime == o.dashpotTime; }
+	};
+	struct Known {
+		Partners partners;
+		Real     step;
+	};
+	std::map<Body::id_t, Known>       known;  // step of each brick, as long as its partners stay
+	std::map<std::vector<Real>, Real> shared; // steps of bricks alike
+
+	static Partners partnersOf(const Body&, const Brick&, const BrickMat&, Scene*);
+	Real            stepOf(const Body&, Brick&, const BrickMat&, const Partners&);
+};
+REGISTER_SERIALIZABLE(BrickTimeStepper);
+
+} // namespace yade

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// How the kernel's state is archived: joints, springs, remembered tractions.
+#pragma once
+
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/nvp.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include "kernel/Contact.hpp"
+
+namespace boost {
+namespace serialization {
+
+	template <class A> void serialize(A& ar, brick::PairSprings& s, unsigned)
+	{
+		for (int i = 0; i < 2; ++i)
+			ar& make_nvp("normalCompliance", s.normalCompliance[i]) & make_nvp("shearCompliance", s.shearCompliance[i]) & make_nvp("density", s.density[i]);
+		ar& make_nvp("mortarNormal", s.mortarNormal) & make_nvp("mortarShear", s.mortarShear);
+		ar& make_nvp("normalDamping", s.normalDamping) & make_nvp("shearDamping", s.shearDamping) & make_nvp("tanFriction", s.tanFriction);
+	}
+
+	template <class A> void serialize(A& ar, brick::SpotSprings& s, unsigned)
+	{
+		ar& make_nvp("normal", s.normal) & make_nvp("shear", s.shear) & make_nvp("normalDashpot", s.normalDashpot) & make_nvp("shearDashpot", s.shearDashpot);
+	}
+
+	template <class A> void serialize(A& ar, brick::MortarStrength& s, unsigned)
+	{
+		ar& make_nvp("tension", s.tension) & make_nvp("cohesion", s.cohesion) & make_nvp("tanFriction", s.tanFriction);
+		ar& make_nvp("compression", s.compression) & make_nvp("capShape", s.capShape);
+	}
+
+	template <class A> void serialize(A& ar, brick::JointSegment& s, unsigned)
+	{
+		for (auto& side : s.weights)
+			for (int a = 0; a < 4; ++a)
+				ar& make_nvp("weight", side[a]);
+		int state = int(s.state);
+		ar& make_nvp("area", s.area) & make_nvp("state", state) & make_nvp("slip", s.slip);
+		s.state = brick::SegmentState(state);
+	}
+
+	template <class A> void serialize(A& ar, brick::JointFace& f, unsigned)
+	{
+		ar& make_nvp("face", f.face);
+		for (int a = 0; a < 4; ++a)
+			ar& make_nvp("node", f.nodes[a]) & make_nvp("corner", f.corners[a]);
+		ar& make_nvp("normal", f.normal);
+	}
+
+	template <class A> void serialize(A& ar, brick::Joint& j, unsigned)
+	{
+		ar& make_nvp("side0", j.faces[0]) & make_nvp("side1", j.faces[1]) & make_nvp("segments", j.segments);
+		ar& make_nvp("springs", j.springs) & make_nvp("strength", j.strength) & make_nvp("restGap", j.restGap) & make_nvp("intact", j.intact);
+	}
+
+	template <class A> void serialize(A& ar, brick::ContactMemory& m, unsigned) { ar& make_nvp("keys", m.keys) & make_nvp("tractions", m.tractions); }
+
+}
+}

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "MortarJoints.hpp"
+
+#include <core/Body.hpp>
+
+#include <algorithm>
+
+namespace yade {
+
+YADE_PLUGIN((MortarJoints));
+
+namespace {
+
+	constexpr Real relativeTolerance = 1e-6; // of a brick's diagonal: far above the round-off of corners, far below any joint
+
+	const Brick* brickOf(const Body& b) { return dynamic_cast<const Brick*>(b.shape.get()); }
+	string       named(const Body& b) { return "#" + std::to_string(b.getId()); }
+
+	bool sameMortar(const shared_ptr<Mortar>& a, const shared_ptr<Mortar>& b)
+	{
+		if (!a || !b || a == b) return a == b;
+		auto same = [](Real x, Real y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+		return same(a->young, b->young) && same(a->poisson, b->poisson) && a->thickness == b->thickness && a->tensileStrength == b->tensileStrength && a->cohesion == b->cohesion
+		        && a->frictionAngle == b->frictionAngle && a->compressiveStrength == b->compressiveStrength && a->Cs == b->Cs;
+	}
+
+	const BrickMat& brickMaterial(const Body& b)
+	{
+		const auto* material = dynamic_cast<const BrickMat*>(b.material.get());
+		if (!material) throw std::invalid_argument("MortarJoints: brick " + named(b) + " needs a BrickMat");
+		return *material;
+	}
+
+	/// Mortar between two bodies; null: none.
+	shared_ptr<Mortar> mortarBetween(const Body& first, const Body& second, const shared_ptr<Mortar>& given)
+	{
+		if (given) return given;
+		const auto& second_ = brickMaterial(second).mortar;
+		if (!brickOf(first)) return second_;
+		const auto& first_ = brickMaterial(first).mortar;
+		if (!sameMortar(first_, second_))
+			throw std::invalid_argument("MortarJoints: the materials of bricks " + named(first) + " and " + named(second) + " have different mortar; give the mortar of this joint to MortarJoints");
+		return first_;
+	}
+
+	/// Elasticity of the mortar, the bricks' own where none is given.
+	brick::Elasticity mortarElasticity(const Mortar& mortar, const Body& first, const Body& second)
+	{
+		const BrickMat& m = brickMaterial(second);
+		if (mortar.thickness > 0 && (std::isnan(mortar.young) || std::isnan(mortar.poisson)) && brickOf(first)) {
+			const BrickMat& other = brickMaterial(first);
+			if (other.young != m.young || other.poisson != m.poisson)
+				throw std::invalid_argument("MortarJoints: bricks " + named(first) + " and " + named(second) + " differ in elasticity, so Mortar.young and Mortar.poisson must be given");
+		}
+		return { std::isnan(mortar.young) ? m.young : mortar.young, std::isnan(mortar.poisson) ? m.poisson : mortar.poisson };
+	}
+
+	brick::Side sideOf(const Body& b, const shared_ptr<const brick::Hexahedron>& box, const Vector3r& brickPosition)
+	{
+		if (const Brick* shape = brickOf(b)) return shape->side(b.state->pos, *b.state);
+		if (const Wall* wall = dynamic_cast<const Wall*>(b.shape.get())) return sideOfWall(*wall, *b.state, brickPosition);
+		return sideOfBox(*b.state, *box);
+	}
+
+	/// The largest of the overlaps between faces of two bodies.
+	std::optional<brick::Joint> largestOverlap(const brick::Side& side0, const brick::Side& side1, Real tolerance, const Vector3r& direction, std::array<int, 2>& faces)
+	{
+		std::optional<brick::Joint> best;
+		Real                        bestArea = 0;
+		for (int f0 = 0; f0 < brick::faceCount; ++f0) {
+			const Vector3r normal = side0.placement.rotation * side0.solid->faces[f0].normal;
+			if (direction != Vector3r::Zero() && std::abs(normal.dot(direction.normalized())) < std::sqrt(.5)) continue;
+			for (int f1 = 0; f1 < brick::faceCount; ++f1) {
+				auto joint = brick::joinFaces(side0, f0, side1, f1, tolerance);
+				if (!joint) continue;
+				Real area = 0;
+				for (const auto& s : joint->segments)
+					area += s.area;
+				if (area > bestArea) best = joint, bestArea = area, faces = { f0, f1 };
+			}
+		}
+		return best;
+	}
+
+	void checkStrengths(const Mortar& m)
+	{
+		for (const auto& item : { std::make_pair("tensileStrength", m.tensileStrength), std::make_pair("cohesion", m.cohesion), std::make_pair("frictionAngle", m.frictionAngle), std::make_pair("compressiveStrength", m.compressiveStrength) })
+			if (std::isnan(item.second)) throw std::invalid_argument(string("Mortar.") + item.first + " is not given; a joint needs all four strengths (a large value for a mode in which it never fails)");
+	}
+
+	void checkThickness(const Mortar& mortar, const Body& b, const brick::Side& side, int face)
+	{
+		const Real length = (*side.contactLength)[face];
+		if (!side.support && mortar.thickness > 2 * length)
+			throw std::invalid_argument(
+			        "Mortar.thickness: " + std::to_string(mortar.thickness) + " m, but the contact part of brick " + named(b) + " is " + std::to_string(length)
+			        + " m thick; allowed is at most twice that (eqs. (2), (16))");
+	}
+
+	struct Box3 {
+		Vector3r lower, upper;
+		int      id;
+	};
+
+	/// Bounds of a body's faces, everywhere for a wall.
+	Box3 bounds(const Body& b, Real margin)
+	{
+		std::vector<Vector3r> corners;
+		if (brickOf(b)) corners = static_cast<const Brick&>(*b.shape).worldCorners(b.state);
+		else if (const Box* box = dynamic_cast<const Box*>(b.shape.get()))
+			for (const auto& c : brick::cuboidCorners(2 * box->extents))
+				corners.push_back(b.state->pos + b.state->ori * c);
+		else
+			corners = { Vector3r::Constant(-std::numeric_limits<Real>::infinity()), Vector3r::Constant(std::numeric_limits<Real>::infinity()) };
+		Box3 out { corners[0], corners[0], b.getId() };
+		for (const auto& c : corners)
+			out.lower = out.lower.cwiseMin(c), out.upper = out.upper.cwiseMax(c);
+		out.lower.array() -= margin, out.upper.array() += margin;
+		return out;
+	}
+
+	Real diagonal(const Brick& b) { return (b.solid->corners[6] - b.solid->corners[0]).norm(); }
+
+	bool canBeJoined(const Body& b)
+	{
+		if (const Brick* shape = brickOf(b)) {
+			if (!shape->solid) throw std::invalid_argument("MortarJoints: brick " + named(b) + " has no corners");
+			return true;
+		}
+		return dynamic_cast<const Wall*>(b.shape.get()) || dynamic_cast<const Box*>(b.shape.get());
+	}
+
+} // namespace
+
+void MortarJoints::postLoad(MortarJoints&)
+{
+	if (tolerance < 0) throw std::invalid_argument("MortarJoints.tolerance: " + std::to_string(tolerance) + " m; must be >= 0, or NaN for the default");
+}
+
+void MortarJoints::join(const shared_ptr<Body>& a, const shared_ptr<Body>& b)
+{
+	// canonical order: the support, or the lower id, first
+	const bool  swap  = brickOf(*a) && (!brickOf(*b) || b->getId() < a->getId());
+	const Body &first = swap ? *b : *a, &second = swap ? *a : *b;
+	const auto  found = scene->interactions->find(first.getId(), second.getId());
+	if (found && found->isReal() && dynamic_cast<BrickPhys*>(found->phys.get()) && static_cast<BrickPhys&>(*found->phys).isJoint()) return;
+
+	shared_ptr<const brick::Hexahedron> box;
+	if (const Box* shape = dynamic_cast<const Box*>(first.shape.get())) box.reset(new brick::Hexahedron(brick::cuboidCorners(2 * shape->extents)));
+	const brick::Side           side0 = sideOf(first, box, second.state->pos), side1 = sideOf(second, nullptr, second.state->pos);
+	const Real                  gap   = std::isnan(tolerance) ? relativeTolerance * diagonal(*brickOf(second)) : tolerance;
+	std::array<int, 2>          faces { 0, 0 };
+	std::optional<brick::Joint> joint = largestOverlap(side0, side1, gap, normal, faces);
+	if (!joint) return;
+	const shared_ptr<Mortar> filling = mortarBetween(first, second, mortar);
+	if (!filling) return;
+	checkStrengths(*filling);
+	checkThickness(*filling, first, side0, faces[0]);
+	checkThickness(*filling, second, side1, faces[1]);
+
+	shared_ptr<BrickPhys> phys(new BrickPhys);
+	phys->springs = pairSprings(*first.material, side0.support, brickMaterial(second));
+	phys->springs.setMortar(mortarElasticity(*filling, first, second), filling->thickness);
+	phys->springs.tanFriction    = std::tan(filling->frictionAngle);
+	phys->tangensOfFrictionAngle = phys->springs.tanFriction;
+	joint->springs               = phys->springs.at((*side0.contactLength)[faces[0]], (*side1.contactLength)[faces[1]]);
+	joint->strength              = { filling->tensileStrength, filling->cohesion, phys->springs.tanFriction, filling->compressiveStrength, filling->Cs };
+	phys->joint                  = *joint;
+
+	shared_ptr<BrickGeom> geom(new BrickGeom);
+	geom->supportSolid = box;
+	if (found) scene->interactions->erase(found->getId1(), found->getId2(), found->linIx);
+	shared_ptr<Interaction> I(new Interaction(first.getId(), second.getId()));
+	I->geom         = geom;
+	I->phys         = phys;
+	I->iterMadeReal = scene->iter;
+	scene->interactions->insert(I);
+	++made;
+}
+
+void MortarJoints::action()
+{
+	made = 0;
+	std::vector<Box3> boxes;
+	for (const auto& b : *scene->bodies) {
+		if (!b || !b->shape || !canBeJoined(*b)) continue;
+		if (!ids.empty() && std::find(ids.begin(), ids.end(), b->getId()) == ids.end()) continue;
+		const Brick* shape = brickOf(*b);
+		boxes.push_back(bounds(*b, std::isnan(tolerance) ? (shape ? relativeTolerance * diagonal(*shape) : 0) : tolerance));
+	}
+	std::sort(boxes.begin(), boxes.end(), [](const Box3& a, const Box3& b) { return a.lower[0] < b.lower[0] || (a.lower[0] == b.lower[0] && a.id < b.id); });
+	for (std::size_t i = 0; i < boxes.size(); ++i)
+		for (std::size_t j = i + 1; j < boxes.size() && boxes[j].lower[0] <= boxes[i].upper[0]; ++j) {
+			if ((boxes[i].lower.array() > boxes[j].upper.array()).any() || (boxes[j].lower.array() > boxes[i].upper.array()).any()) continue;
+			const auto &a = Body::byId(boxes[i].id, scene), &b = Body::byId(boxes[j].id, scene);
+			if ((brickOf(*a) || brickOf(*b)) && (a->isDynamic() || b->isDynamic())) join(a, b);
+		}
+	dead = true;
+}
+
+} // namespace yade
