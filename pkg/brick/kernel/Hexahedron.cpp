@@ -68,25 +68,23 @@ namespace {
 		        "(below), 4-5-6-7 over them");
 	}
 
-	/// Geometry of one face. Without area the normal is NaN: facesProblem looks for that first.
+	/// Geometry of one face. Without area the normal is NaN: planarityProblem looks for that first.
 	Face makeFace(const Nodes& corners, int face)
 	{
 		const auto&     n  = faceNodes[face];
 		const Vector3r &x0 = corners[n[0]], &x1 = corners[n[1]], &x2 = corners[n[2]], &x3 = corners[n[3]];
 		const Vector3r  twiceArea = (x2 - x0).cross(x3 - x1);
 		Face            f;
-		f.normal = twiceArea / twiceArea.norm();
-		f.area   = twiceArea.norm() / 2;
-		f.centre = (x0 + x1 + x2 + x3) / 4;
-		f.offset = f.normal.dot(f.centre);
-		f.e1     = (x1 + x2 - x0 - x3) / 4;
-		f.e2     = (x2 + x3 - x0 - x1) / 4;
-		f.e12    = (x0 + x2 - x1 - x3) / 4;
-		// On a parallelogram round-off in the corners must not pass for a bilinear term.
-		if (f.e12.norm() <= 8 * std::numeric_limits<Real>::epsilon() * (x0.norm() + x1.norm() + x2.norm() + x3.norm())) f.e12.setZero();
-		const Real jacobian = f.normal.dot(f.e1.cross(f.e2));
-		f.dual1             = f.e2.cross(f.normal) / jacobian;
-		f.dual2             = f.normal.cross(f.e1) / jacobian;
+		f.normal        = twiceArea / twiceArea.norm();
+		f.area          = twiceArea.norm() / 2;
+		f.centre        = (x0 + x1 + x2 + x3) / 4;
+		f.offset        = f.normal.dot(f.centre);
+		f.e1            = (x1 + x2 - x0 - x3) / 4;
+		f.e2            = (x2 + x3 - x0 - x1) / 4;
+		f.e12           = (x0 + x2 - x1 - x3) / 4;
+		const Real side = f.normal.dot(f.e1.cross(f.e2));
+		f.dual1         = f.e2.cross(f.normal) / side;
+		f.dual2         = f.normal.cross(f.e1) / side;
 		return f;
 	}
 
@@ -257,8 +255,6 @@ std::string nodesProblem(const Nodes& nodes)
 		if (!nodes[a].allFinite()) return message("corner ", a, " is (", nodes[a].transpose(), "); it must be finite");
 	std::string problem = edgeProblem(nodes);
 	for (int a = 0; a < nodeCount && problem.empty(); ++a)
-		problem = jacobianProblem(nodes, naturalCorner(a), message("corner ", a));
-	for (int a = 0; a < nodeCount && problem.empty(); ++a)
 		problem = jacobianProblem(nodes, naturalCorner(a) / std::sqrt(3.), message("the Gauss point nearest corner ", a));
 	return problem.empty() ? jacobianProblem(nodes, Vector3r::Zero(), "the centre") : problem;
 }
@@ -266,6 +262,8 @@ std::string nodesProblem(const Nodes& nodes)
 std::string cornersProblem(const Nodes& corners)
 {
 	std::string problem = nodesProblem(corners);
+	for (int a = 0; a < nodeCount && problem.empty(); ++a)
+		problem = jacobianProblem(corners, naturalCorner(a), message("corner ", a));
 	for (int face = 0; face < faceCount && problem.empty(); ++face)
 		problem = planarityProblem(corners, face);
 	for (int face = 0; face < faceCount && problem.empty(); ++face)

@@ -54,11 +54,11 @@ struct PrincipalFrame {
 PrincipalFrame principalFrame(const Matrix3r& inertia);
 
 /// Why no element can be made of these nodes: empty when one can, otherwise what is wrong, the value, and what is allowed. Checked in this order:
-/// finite, no edge of (nearly) zero length, det J > 0 at the corners, the Gauss points and the centre. Faces need not be planar.
+/// finite, no edge of (nearly) zero length, det J > 0 at the 2 x 2 x 2 Gauss points and the centre. Faces need not be planar.
 std::string nodesProblem(const Nodes& nodes);
 
-/// Why these corners are not an admissible brick, likewise: nodesProblem, then planar faces (planarityTolerance), then convex (every corner strictly
-/// behind every face that it is not on).
+/// Why these corners are not an admissible brick, likewise: nodesProblem, then det J > 0 at the corners, planar faces (planarityTolerance), and convex
+/// (every corner strictly behind every face that it is not on).
 std::string cornersProblem(const Nodes& corners);
 
 /// Weights of a face's four nodes at its natural coordinates, in the order of faceNodes; they sum to 1.

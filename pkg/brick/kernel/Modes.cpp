@@ -14,8 +14,8 @@ namespace {
 
 	using Fields6 = Eigen::Matrix<Real, dofCount, 6>;
 
-	/// Frequencies (squared) closer than this, of the largest, are one frequency; below it, of the largest, there is none: both lie far above
-	/// the solver's round-off (1e-15) and far below what nu = 0.4999999 or a slab of 1:1000 needs.
+	/// Squared frequencies closer than this, of the largest, are one frequency; below it, of the largest, there is none. The solver's round-off is 1e-15 of the
+	/// largest; the softest mode of a cube with nu = 0.4999999 is 1e-7 of it, that of a slab of 1:100 with nu = 0.4999 2e-12: bending over volume change.
 	constexpr Real sameFrequency = 1e-10, noFrequency = 1e-12;
 
 	/// Components this close to the largest, relatively, are equal to it: symmetric shapes have such ties, and round-off must not decide them.

@@ -13,12 +13,12 @@ namespace brick {
 Matrix6r elasticity(Real young, Real poisson);
 
 /// Stiffness K of the hexahedron [N/m]: nodal forces that hold the displacements u are K u; the element answers with -K u, eq. (17).
-/// Symmetric to the last bit, six zero modes, exact for any linear displacement field (patch test) on any admissible shape.
+/// Symmetric to the last bit, six zero modes, exact for any linear displacement field (patch test) in any shape.
 ///   Full          2 x 2 x 2 Gauss points: the paper's. A cube is 50 % (nu = 0.25) too stiff in bending; locks for nu -> 0.5.
 ///   Incompatible  nine internal bending modes (Wilson) 1 - xi_i^2, condensed; their gradient uses the Jacobian of the centre times
 ///                 det J0 / det J (Taylor), so that they do no work on constant stress. Bends exactly when rectangular.
 ///   Bbar          volumetric strain replaced by its volume average; does not lock for nu -> 0.5.
-/// @param nodes det J > 0 at the Gauss points and corners; faces need not be planar
+/// @param nodes admissible to nodesProblem: det J > 0 at the Gauss points; faces need not be planar
 /// @throws std::invalid_argument with what is wrong with nodes, young or poisson
 Matrix24 stiffness(const Nodes& nodes, Real young, Real poisson, Element element);
 
