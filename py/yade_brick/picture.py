@@ -1,0 +1,393 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Pictures without a display: a set of bricks as seen from a direction, a series of such pictures, and displacement histories.
+# Only arrays come in (snapshot reads them from a scene), and matplotlib's Agg canvas is used directly, never pyplot, so that neither
+# a window system nor the backend of the calling script matters.
+"""Pictures of bricks and plots of histories, saved as PNG."""
+
+import heapq
+import math
+from typing import NamedTuple
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import Normalize, to_rgb
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Rectangle
+
+
+class Patch(NamedTuple):
+	"""A brick to draw.
+
+	:param corners: (8, 3) [m], in the node order of Brick.corners
+	:param color: None (a brick tone), a matplotlib colour, or a number that is shown by a colour scale
+	:param support: True for a foundation: drawn in grey, and not counted when the picture's limits are chosen
+	"""
+
+	corners: np.ndarray
+	color: object = None
+	support: bool = False
+
+
+class Marks(NamedTuple):
+	"""Points of joints to mark by their state.
+
+	:param points: (k, 3) [m]
+	:param states: (k,), 0 intact (not drawn), 1 failed in tension, 2 in shear, 3 in compression, 4 failed in a way that was not seen
+	"""
+
+	points: np.ndarray
+	states: np.ndarray
+
+
+#: Directions from the scene towards the viewer: azimuth from x towards y and height above the horizon [degrees].
+views = {"elevation": (-90, 0), "side": (0, 0), "plan": (-90, 90), "3d": (-62, 22)}
+
+#: Nodes of each face of a brick, counter-clockwise from outside: the kernel's table.
+faceNodes = ((0, 4, 7, 3), (1, 2, 6, 5), (0, 1, 5, 4), (3, 7, 6, 2), (0, 3, 2, 1), (4, 5, 6, 7))
+
+#: Colour and name of each way to fail; told apart on brick and in grey, and by the colour-blind.
+failureModes = {1: ("#12b5e5", "failed in tension"), 2: ("#ffd23f", "failed in shear"), 3: ("#6a0dad", "failed in compression"), 4: ("#1a1a1a", "failed")}
+
+_brickTones = ("#b5785f", "#bd8166", "#ad7058", "#b97b5c", "#b27a67")
+_supportColor, _edgeColor, _groundColor = "#a3a19b", "#4b332a", "#d9d5cb"
+_fontSize = 11
+_markSize = 4.5  # [points] in a picture 8 inches wide
+
+
+def wallPicture(
+        path, bricks, marks=None, view="elevation", title=None, time=None, ground=0.0, limits=None, colorLabel=None, colorRange=None, width=8.0, dpi=150
+):
+	"""Saves a picture of bricks, seen from far away without perspective; what is in front hides what is behind.
+
+	:param path: PNG file
+	:param bricks: list of Patch, or of (corners, color)
+	:param marks: Marks; drawn over the bricks, also where a brick is in front
+	:param view: 'elevation' (x to the right, z up), 'side' (y, z), 'plan' (x, y), '3d', or (azimuth, height) in degrees
+	:param title: text above; a motion made by us has to be called synthetic there too
+	:param time: simulated time [s], added to the title
+	:param ground: height of the ground [m], None for none
+	:param limits: (left, right, bottom, top) [m] in the picture's plane; by default around the bricks
+	:param colorLabel: what the numbers are that colour the bricks, with unit
+	:param colorRange: (lowest, highest) of the colour scale; by default those of the bricks
+	:param width: [inches]; the height follows
+	:param dpi: pixels per inch
+	:raises ValueError: for no brick, corners of another shape or not finite, an unknown view, empty limits, states without points
+	"""
+	pictureSeries(path, [(time, bricks, marks)], view, title, ground, limits, colorLabel, colorRange, 1, width, dpi)
+
+
+def pictureSeries(
+        path, frames, view="elevation", title=None, ground=0.0, limits=None, colorLabel=None, colorRange=None, columns=3, width=12.0, dpi=120
+):
+	"""Saves several pictures side by side, in the same scale and limits.
+
+	:param frames: list of (time [s] or None, bricks, marks or None), as in wallPicture
+	:param columns: pictures in a row, >= 1
+	:param width: of the whole [inches]; the others as in wallPicture
+	"""
+	frames = [(time, [_checkedPatch(brick, index) for index, brick in enumerate(bricks)], _checkedMarks(marks)) for time, bricks, marks in frames]
+	if not frames or not all(bricks for _, bricks, _ in frames):
+		raise ValueError("there is nothing to draw; at least one frame with at least one brick is needed")
+	if columns < 1:
+		raise ValueError(f"columns is {columns}; allowed is at least 1")
+	right, up, toward = _viewAxes(view)
+	plane = np.column_stack([right, up])
+	limits = _checkedLimits(limits) if limits is not None else _limitsAround([brick for _, bricks, _ in frames for brick in bricks], plane, ground, up)
+	scale = _colorScale([brick.color for _, bricks, _ in frames for brick in bricks], colorRange)
+	figure, axes = _panels(len(frames), columns, width, limits, dpi)
+	for ax, (time, bricks, marks) in zip(axes, frames):
+		_drawGround(ax, ground, limits, right, up, toward)
+		_drawBricks(ax, bricks, plane, toward, scale)
+		_drawMarks(ax, marks, plane, _markSize * min(1.0, math.sqrt(width / min(columns, len(frames)) / 8)))
+		_dressAxes(ax, limits, right, up, toward)
+		texts = [title if len(frames) == 1 else None, f"t = {time:.2f} s" if time is not None else None]
+		ax.set_title(",  ".join(text for text in texts if text), fontsize=_fontSize + 1)
+	if title and len(frames) > 1:
+		figure.suptitle(title, fontsize=_fontSize + 3)
+	_addLegends(figure, axes, [marks for _, _, marks in frames], scale, colorLabel)
+	figure.savefig(path, format="png")
+
+
+# ---- what is given ---------------------------------------------------------------------------------------------------------------
+
+
+def _checkedPatch(brick, index):
+	patch = Patch(*brick)
+	corners = np.array([tuple(corner) for corner in patch.corners], dtype=float)
+	if corners.shape != (8, 3) or not np.isfinite(corners).all():
+		raise ValueError(f"corners of brick {index} are {corners.tolist()}; allowed are 8 points of 3 finite coordinates [m]")
+	return patch._replace(corners=corners)
+
+
+def _checkedMarks(marks):
+	if marks is None:
+		return Marks(np.empty((0, 3)), np.empty(0, dtype=int))
+	points = np.array([tuple(point) for point in marks[0]], dtype=float).reshape(-1, 3)
+	states = np.asarray(marks[1], dtype=int)
+	if states.shape != (len(points),):
+		raise ValueError(f"marks have {len(points)} points and states of the shape {states.shape}; allowed is one state a point")
+	return Marks(points, states)
+
+
+def _viewAxes(view):
+	"""Unit vectors to the picture's right, up, and toward the viewer."""
+	if isinstance(view, str):
+		if view not in views:
+			raise ValueError(f"view is {view!r}; allowed are {', '.join(map(repr, views))} or (azimuth, height) in degrees")
+		view = views[view]
+	azimuth, height = (math.radians(angle) for angle in view)
+	toward = np.array([math.cos(height) * math.cos(azimuth), math.cos(height) * math.sin(azimuth), math.sin(height)])
+	right = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
+	return right, np.cross(toward, right), toward
+
+
+def _checkedLimits(limits):
+	left, right, bottom, top = limits
+	if not (left < right and bottom < top):
+		raise ValueError(f"limits is {tuple(limits)}; allowed is (left, right, bottom, top) with left < right and bottom < top")
+	return left, right, bottom, top
+
+
+def _limitsAround(bricks, plane, ground, up):
+	"""Limits around the bricks that are no supports (or all), with a margin and, in a view from the side, some ground."""
+	counted = [brick for brick in bricks if not brick.support] or bricks
+	points = np.vstack([brick.corners for brick in counted]) @ plane
+	low, high = points.min(axis=0), points.max(axis=0)
+	margin = 0.08 * (high - low).max()
+	bottom = low[1] if ground is None else min(low[1], ground * up[2])
+	# An oblique view has its scale and its axes in a strip below.
+	strip = margin if abs(up[2]) > 1 - 1e-9 else 2.2 * margin
+	return low[0] - margin, high[0] + margin, bottom - strip, high[1] + margin
+
+
+# ---- drawing order ---------------------------------------------------------------------------------------------------------------
+
+
+def _faceNormals(corners):
+	"""Outward normals of all faces, (n, 6, 3), from the faces' diagonals."""
+	face = corners[:, faceNodes]
+	normals = np.cross(face[:, :, 2] - face[:, :, 0], face[:, :, 3] - face[:, :, 1])
+	return normals / np.maximum(np.linalg.norm(normals, axis=2, keepdims=True), 1e-300)
+
+
+def paintOrder(corners, plane, toward):
+	"""Order in which convex bricks have to be painted so that none is painted over one in front of it.
+
+	Two convex bricks that do not interpenetrate are separated by (nearly always) a face plane of one of them; the one on the viewer's
+	side of it is in front. Pairs that do not overlap in the picture do not matter. Where that leaves a cycle, the farthest goes first.
+
+	:param corners: (n, 8, 3) [m]; `plane` (3, 2) and `toward` (3,): the picture's axes and the direction towards the viewer
+	:returns: list of n indices, farthest first
+	"""
+	count = len(corners)
+	normals, centres = _faceNormals(corners), corners[:, faceNodes].mean(axis=2)
+	gap, facing = np.empty((count, count)), np.empty((count, count))
+	for i in range(count):
+		# How far all of brick j is beyond each face of i; the face that separates best counts.
+		offsets = np.einsum("fk,nak->fna", normals[i], corners) - np.einsum("fk,fk->f", normals[i], centres[i])[:, None, None]
+		beyond = offsets.min(axis=2)
+		best = beyond.argmax(axis=0)
+		gap[i], facing[i] = beyond[best, np.arange(count)], (normals[i] @ toward)[best]
+	flat = corners @ plane
+	low, high = flat.min(axis=1), flat.max(axis=1)
+	overlap = ((low[:, None] < high[None]) & (low[None] < high[:, None])).all(axis=2)
+	# front[i, j]: j is in front of i, by the better of the two separations; edge-on planes decide nothing.
+	toFront = np.where(gap >= gap.T, facing, -facing.T)
+	front = overlap & (toFront > 1e-6)
+	np.fill_diagonal(front, False)
+	return _topologicalOrder(front, corners.mean(axis=1) @ toward)
+
+
+def _topologicalOrder(front, depth):
+	waiting = front.sum(axis=0)
+	ready = [(depth[i], i) for i in np.flatnonzero(waiting == 0)]
+	heapq.heapify(ready)
+	left, order = set(range(len(depth))), []
+	while left:
+		index = int(heapq.heappop(ready)[1]) if ready else min(left, key=lambda i: depth[i])
+		if index not in left:
+			continue
+		left.remove(index)
+		order.append(index)
+		waiting[front[index]] -= 1
+		for other in np.flatnonzero(front[index] & (waiting == 0)):
+			heapq.heappush(ready, (depth[other], other))
+	return order
+
+
+# ---- drawing ---------------------------------------------------------------------------------------------------------------------
+
+
+def _drawBricks(ax, bricks, plane, toward, scale):
+	corners = np.array([brick.corners for brick in bricks])
+	normals = _faceNormals(corners)
+	right, up = plane.T
+	light = toward + 0.6 * up - 0.35 * right
+	light /= np.linalg.norm(light)
+	polygons, colors = [], []
+	for index in paintOrder(corners, plane, toward):
+		base = _brickColor(bricks[index], index, scale)
+		for face, normal in zip(faceNodes, normals[index]):
+			if normal @ toward > 1e-3:
+				polygons.append(corners[index][list(face)] @ plane)
+				# A face towards the viewer keeps its colour; others are lighter or darker with their tilt to the light.
+				shade = 1 + 0.45 * (max(0.0, normal @ light) - toward @ light)
+				colors.append(np.clip(np.array(base) * shade, 0, 1))
+	ax.add_collection(PolyCollection(polygons, facecolors=colors, edgecolors=_edgeColor, linewidths=0.8, joinstyle="round", zorder=2))
+
+
+def _brickColor(brick, index, scale):
+	if isinstance(brick.color, (int, float, np.number)) and not isinstance(brick.color, bool):
+		return scale.to_rgba(brick.color)[:3]
+	if brick.color is not None:
+		return to_rgb(brick.color)
+	return to_rgb(_supportColor if brick.support else _brickTones[(31 * index * index + 17 * index) % 23 % len(_brickTones)])
+
+
+def _colorScale(colors, colorRange):
+	"""The colour scale of the bricks that are coloured by a number, or None."""
+	values = [float(color) for color in colors if isinstance(color, (int, float, np.number)) and not isinstance(color, bool)]
+	if not values:
+		return None
+	low, high = colorRange or (min(values), max(values))
+	return ScalarMappable(Normalize(low, high if high > low else low + 1), "YlOrBr")
+
+
+def _drawMarks(ax, marks, plane, size):
+	for state, (color, _) in failureModes.items():
+		flat = marks.points[marks.states == state] @ plane
+		ax.scatter(flat[:, 0], flat[:, 1], s=size ** 2, color=color, edgecolors="#2b2b2b", linewidths=0.4, zorder=3)
+
+
+def _drawGround(ax, ground, limits, right, up, toward):
+	if ground is None:
+		return
+	left, rightEnd, bottom, _ = limits
+	if abs(up[2]) > 1 - 1e-9:
+		ax.add_patch(Rectangle((left, bottom), rightEnd - left, ground - bottom, facecolor=_groundColor, edgecolor="#b8b3a6", hatch="////", linewidth=0, zorder=0))
+		ax.axhline(ground, color="#5d5a52", linewidth=1.2, zorder=1)
+	else:
+		# From above the ground plane fills the picture.
+		ax.set_facecolor("#eeece6")
+
+
+def _dressAxes(ax, limits, right, up, toward):
+	ax.set_xlim(limits[0], limits[1])
+	ax.set_ylim(limits[2], limits[3])
+	ax.set_aspect("equal")
+	names = [_axisName(right), _axisName(up)]
+	if all(names):
+		ax.set_xlabel(f"{names[0]} [m]", fontsize=_fontSize)
+		ax.set_ylabel(f"{names[1]} [m]", fontsize=_fontSize)
+		ax.tick_params(labelsize=_fontSize - 1)
+		for side in ("top", "right"):
+			ax.spines[side].set_visible(False)
+		return
+	ax.set_xticks([])
+	ax.set_yticks([])
+	_scaleBar(ax, limits)
+	_axisArrows(ax, limits, right, up, toward)
+
+
+def _axisName(direction):
+	"""The world axis that a picture axis is along, or None for an oblique view."""
+	axis = int(np.argmax(np.abs(direction)))
+	return "xyz"[axis] if direction[axis] > 1 - 1e-9 else None
+
+
+def _scaleBar(ax, limits):
+	span = limits[1] - limits[0]
+	power = 10 ** math.floor(math.log10(0.3 * span))
+	length = max(step * power for step in (1, 2, 5) if step * power <= 0.3 * span)
+	x, y = limits[0] + 0.04 * span, limits[2] + 0.04 * span
+	ax.plot([x, x + length], [y, y], color="black", linewidth=3, solid_capstyle="butt", zorder=4)
+	ax.text(x + 0.5 * length, y + 0.015 * span, f"{length:g} m", ha="center", va="bottom", fontsize=_fontSize, zorder=4)
+
+
+def _axisArrows(ax, limits, right, up, toward):
+	size = 0.06 * (limits[1] - limits[0])
+	origin = np.array([limits[1] - 2 * size, limits[2] + 0.7 * size])
+	for axis, name in enumerate("xyz"):
+		tip = size * np.array([right[axis], up[axis]])
+		if np.linalg.norm(tip) > 0.1 * size:
+			ax.annotate("", origin + tip, origin, arrowprops={"arrowstyle": "-|>", "linewidth": 1.2, "color": "black", "shrinkA": 0, "shrinkB": 0}, zorder=4)
+			ax.text(*(origin + 1.25 * tip), name, ha="center", va="center", fontsize=_fontSize, zorder=4)
+
+
+def _panels(count, columns, width, limits, dpi):
+	"""A figure with `count` equal panels that fit the limits' proportions."""
+	columns = min(columns, count)
+	rows = -(-count // columns)
+	aspect = (limits[3] - limits[2]) / (limits[1] - limits[0])
+	panel = (width - 0.8 * columns) / columns
+	figure = Figure(figsize=(width, rows * (min(2.5, max(0.25, aspect)) * panel + 0.9) + 0.6), dpi=dpi, layout="constrained")
+	FigureCanvasAgg(figure)
+	grid = figure.subplots(rows, columns, squeeze=False).ravel()
+	for ax in grid[count:]:
+		ax.set_axis_off()
+	return figure, list(grid[:count])
+
+
+def _addLegends(figure, axes, marks, scale, colorLabel):
+	present = set(np.concatenate([frame.states for frame in marks]).tolist())
+	handles = [
+	        Line2D([], [], linestyle="", marker="o", markersize=7, color=color, markeredgecolor="#2b2b2b", label=name)
+	        for state, (color, name) in failureModes.items() if state in present
+	]
+	if handles:
+		_legendBelow(figure, handles, [handle.get_label() for handle in handles])
+	if scale is not None:
+		bar = figure.colorbar(scale, ax=axes, shrink=0.8, pad=0.02)
+		bar.set_label(colorLabel or "", fontsize=_fontSize)
+		bar.ax.tick_params(labelsize=_fontSize - 1)
+
+
+def _legendBelow(figure, handles, labels):
+	"""A legend in a strip of its own below the panels."""
+	strip = 0.4 / figure.get_figheight()
+	figure.get_layout_engine().set(rect=(0, strip, 1, 1 - strip))
+	figure.legend(handles, labels, loc="lower center", ncol=min(len(labels), 6), frameon=False, fontsize=_fontSize)
+
+
+# ---- histories -------------------------------------------------------------------------------------------------------------------
+
+_lineColors = ("#1f4e79", "#c0562f", "#3d7a4a", "#7b4b94", "#8a6d1f", "#555555")
+
+
+def historyPlot(path, time, histories, title=None, timeRange=None, width=12.0, dpi=120):
+	"""Saves displacement histories of named bricks, one panel for each of x, y and z, in mm where all stay below 0.1 m.
+
+	:param path: PNG file
+	:param time: (n,) [s]
+	:param histories: dict from name to displacements (n, 3) [m]
+	:param timeRange: (begin, end) [s] to show; by default all
+	:raises ValueError: for no history or one of another shape
+	"""
+	time = np.asarray(time, dtype=float)
+	arrays = {name: np.array([tuple(row) for row in values], dtype=float) for name, values in histories.items()}
+	if not arrays:
+		raise ValueError("histories is empty; at least one brick is needed")
+	for name, values in arrays.items():
+		if values.shape != (len(time), 3):
+			raise ValueError(f"history of {name!r} has the shape {values.shape}; allowed is ({len(time)}, 3), as there are {len(time)} times")
+	shown = slice(None) if timeRange is None else (time >= timeRange[0]) & (time <= timeRange[1])
+	largest = max(np.nanmax(np.abs(values[shown]), initial=0.0) for values in arrays.values())
+	unit, factor = ("mm", 1e3) if largest < 0.1 else ("m", 1.0)
+	figure = Figure(figsize=(width, 0.36 * width), dpi=dpi, layout="constrained")
+	FigureCanvasAgg(figure)
+	for axis, ax in enumerate(figure.subplots(1, 3)):
+		for (name, values), color in zip(arrays.items(), _lineColors * len(arrays)):
+			ax.plot(time[shown], factor * values[shown, axis], label=name, color=color, linewidth=1.4)
+		ax.set_title(f"{'xyz'[axis]} direction", fontsize=_fontSize + 1)
+		ax.set_xlabel("time [s]", fontsize=_fontSize)
+		ax.set_ylabel(f"displacement [{unit}]", fontsize=_fontSize)
+		ax.grid(color="#dddddd", linewidth=0.7)
+		ax.tick_params(labelsize=_fontSize - 1)
+		ax.margins(x=0)
+	_legendBelow(figure, *ax.get_legend_handles_labels())
+	if title:
+		figure.suptitle(title, fontsize=_fontSize + 3)
+	figure.savefig(path, format="png")
