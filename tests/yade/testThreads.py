@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# The same scene on one and on two threads: the same result to the last bit.
+import os, re, subprocess, unittest
+
+import yade_brick
+
+build = os.path.dirname(os.path.dirname(os.path.realpath(yade_brick._core.__file__)))
+folder = os.path.dirname(os.path.abspath(__file__))
+
+
+class Threads(unittest.TestCase):
+
+	def collapse(self, threads, steps, verletDist, columns, courses):
+		"""Runs collapse.py in a YADE of its own; dict of what it prints."""
+		inherited = {k: v for k, v in os.environ.items() if k not in ('YADE_PREFIX', 'PYTHONPATH', 'OMP_NUM_THREADS')}
+		command = [os.path.join(build, 'yade'), '-n', '-x', '-j%d' % threads, os.path.join(folder, 'collapse.py')]
+		process = subprocess.run(
+		        command + ['%g' % x for x in (steps, verletDist, columns, courses)], env=inherited, capture_output=True, text=True, timeout=600
+		)
+		self.assertEqual(process.returncode, 0, process.stdout + process.stderr)
+		found = dict(re.findall(r'^(threads|failures|fingerprint) (\w+)$', process.stdout, re.M))
+		self.assertEqual(int(found['threads']), threads)
+		return found
+
+	def check(self, *scene):
+		one, two = self.collapse(1, *scene), self.collapse(2, *scene)
+		self.assertGreater(int(one['failures']), 0)
+		self.assertEqual(two['fingerprint'], one['fingerprint'])
+
+	def test_collapse(self):
+		self.check(5000, 0, 4, 4)
+
+	def test_collapse_with_verlet_distance(self):
+		self.check(3000, .02, 4, 4)
+
+	def test_more_bricks_than_one_thread_moves_alone(self):
+		self.check(250, .02, 16, 14)
+
+
+class Repeated(unittest.TestCase):
+
+	def test_two_runs_of_one_program_on_two_threads_are_the_same(self):
+		import collapse
+		prints = []
+		for _ in range(2):
+			collapse.build()
+			collapse.O.run(1500, True)
+			prints.append(collapse.fingerprint())
+		self.assertEqual(prints[0], prints[1])
