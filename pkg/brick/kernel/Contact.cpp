@@ -17,15 +17,6 @@ namespace {
 
 	int keyOf(int owner, int face, int segment) { return (owner * faceCount + face) * largestSegments * largestSegments + segment; }
 
-	/// Where the surface of a face stands, along its rest normal, at given weights of its nodes.
-	Real bulge(const Placement& at, const Vector3r& normal, int face, const Vector4r& weights)
-	{
-		Real out = 0;
-		for (int a = 0; a < 4; ++a)
-			out += weights[a] * normal.dot(at.displacement[faceNodes[face][a]]);
-		return out;
-	}
-
 	/// The owner's corners in the other body's frame, and the planes of that body.
 	class View {
 	public:
@@ -44,13 +35,10 @@ namespace {
 				const Face& face = other.solid->faces[f];
 				meanOffset[f] = highestOffset[f] = face.offset;
 				if (!other.placement.displacement) continue;
-				Real highest = -1;
-				for (int a = 0; a < 4; ++a) {
-					const Real b = face.normal.dot(other.placement.displacement[faceNodes[f][a]]);
-					meanOffset[f] += b / 4;
-					highest = a ? std::max(highest, b) : b;
-				}
-				highestOffset[f] += highest;
+				for (int a = 0; a < 4; ++a)
+					faceBulge[f][a] = face.normal.dot(other.placement.displacement[faceNodes[f][a]]);
+				meanOffset[f] += faceBulge[f].mean();
+				highestOffset[f] += faceBulge[f].maxCoeff();
 			}
 		}
 
@@ -66,19 +54,23 @@ namespace {
 			return false;
 		}
 
-		/// Height of a point over a face of the other body, positive outside; the face's own bulging counts where it can be touched.
-		Real height(int f, const Vector3r& x, bool touchable) const
+		/// How far the surface of a deformed face stands above its mean plane, near a point.
+		Real bulge(int f, const Vector3r& x) const
 		{
-			const Face& face = other.solid->faces[f];
-			if (!touchable || !other.placement.displacement) return face.normal.dot(x) - meanOffset[f];
-			const Vector2r natural = face.coordinates(x);
-			return face.normal.dot(x) - face.offset - bulge(other.placement, face.normal, f, bilinear(natural[0], natural[1]));
+			const Face&    target  = other.solid->faces[f];
+			const Vector2r natural = target.coordinates(x);
+			const Vector4r weights = bilinear(natural[0], natural[1]);
+			Real           out     = target.offset - meanOffset[f];
+			for (int a = 0; a < 4; ++a)
+				out += weights[a] * faceBulge[f][a];
+			return out;
 		}
 
 		const Side &                owner, &other;
 		const Matrix3r              turn; ///< owner's axes to the other body's
 		Nodes                       corners;
 		std::array<Real, faceCount> meanOffset, highestOffset;
+		Vector4r                    faceBulge[faceCount]; ///< of the corners of each face along its normal; only of deformable bodies
 	};
 
 	/// One face of the owner against the other body.
@@ -91,11 +83,15 @@ namespace {
 		        , weight(weight)
 		{
 			const Vector3r normal = view.turn * view.owner.solid->faces[face].normal;
-			for (int f = 0; f < faceCount; ++f)
-				cosine[f] = -normal.dot(view.other.solid->faces[f].normal);
+			for (int f = 0; f < faceCount; ++f) {
+				const Face& target = view.other.solid->faces[f];
+				cosine[f]          = -normal.dot(target.normal);
+				for (int a = 0; a < 4; ++a)
+					cornerHeights[a][f] = target.normal.dot(view.corners[faceNodes[face][a]]) - view.meanOffset[f];
+			}
 		}
 
-		void run(std::vector<ContactSpot>& spots) const
+		void run(std::vector<ContactSpot>& spots)
 		{
 			if (!canTouch()) return;
 			const int n = view.owner.segments;
@@ -112,21 +108,28 @@ namespace {
 
 	private:
 		/// Cheap refusal, by the corners alone: entirely beyond a face of the other body, or everywhere nearer to a face that it cannot press on.
-		bool canTouch() const
+		/// Finds out which faces could be the nearest, whose bulging matters.
+		bool canTouch()
 		{
-			Real deepestElsewhere = std::numeric_limits<Real>::infinity(), shallowestTouchable = std::numeric_limits<Real>::infinity();
+			constexpr Real unbounded = std::numeric_limits<Real>::infinity();
+			Heights        least, most;
 			for (int f = 0; f < faceCount; ++f) {
-				Real least = std::numeric_limits<Real>::infinity(), most = -least;
-				for (int a = 0; a < 4; ++a) {
-					const Real depth = view.highestOffset[f] - view.other.solid->faces[f].normal.dot(view.corners[faceNodes[face][a]]);
-					least = std::min(least, depth), most = std::max(most, depth);
-				}
-				if (most <= 0) return false;
-				if (cosine[f] > 0) shallowestTouchable = std::min(shallowestTouchable, least);
-				else
-					deepestElsewhere = std::min(deepestElsewhere, most);
+				Real lowest = unbounded, highest = -unbounded;
+				for (int a = 0; a < 4; ++a)
+					lowest = std::min(lowest, cornerHeights[a][f]), highest = std::max(highest, cornerHeights[a][f]);
+				const Real bulging = view.highestOffset[f] - view.meanOffset[f];
+				least[f] = -highest, most[f] = bulging - lowest; // depths
+				if (most[f] <= 0) return false;
 			}
-			return shallowestTouchable <= deepestElsewhere;
+			Real shallowestTouchable = unbounded, deepestElsewhere = unbounded;
+			for (int f = 0; f < faceCount; ++f)
+				if (cosine[f] > 0) shallowestTouchable = std::min(shallowestTouchable, least[f]);
+				else
+					deepestElsewhere = std::min(deepestElsewhere, most[f]);
+			if (shallowestTouchable > deepestElsewhere) return false;
+			for (int f = 0; f < faceCount; ++f)
+				bulges[f] = view.other.placement.displacement && cosine[f] > 0 && least[f] <= most.minCoeff();
+			return true;
 		}
 
 		void fillRow(int row, std::array<Patch::Vertex, largestSegments + 1>& out) const
@@ -136,13 +139,12 @@ namespace {
 				const Real     xi = 2. * column / n - 1, eta = 2. * row / n - 1;
 				const Vector4r w = bilinear(xi, eta);
 				Vector3r       x = Vector3r::Zero();
+				Heights        heights = Heights::Zero();
 				for (int a = 0; a < 4; ++a)
-					x += w[a] * view.corners[faceNodes[face][a]];
-				auto& v = out[column];
-				v.head<3>() = x;
-				v.segment<2>(naturalEntry) << xi, eta;
+					x += w[a] * view.corners[faceNodes[face][a]], heights += w[a] * cornerHeights[a];
 				for (int f = 0; f < faceCount; ++f)
-					v[heightEntry + f] = view.height(f, x, cosine[f] > 0);
+					if (bulges[f]) heights[f] -= view.bulge(f, x);
+				out[column] << x, xi, eta, heights;
 			}
 		}
 
@@ -180,7 +182,9 @@ namespace {
 		const View& view;
 		int         ownerIndex, face;
 		Real        weight;
-		Heights     cosine; ///< between the owner's inward normal and the outward normal of each face of the other body
+		Heights     cosine;        ///< between the owner's inward normal and the outward normal of each face of the other body
+		Heights     cornerHeights[4]; ///< over the mean planes of the other body's faces
+		std::array<bool, faceCount> bulges; ///< faces of the other body whose bulging matters
 	};
 
 	void searchSide(const View& view, int ownerIndex, Real weight, std::vector<ContactSpot>& spots)

@@ -82,6 +82,7 @@ namespace {
 		f.e1            = (x1 + x2 - x0 - x3) / 4;
 		f.e2            = (x2 + x3 - x0 - x1) / 4;
 		f.e12           = (x0 + x2 - x1 - x3) / 4;
+		f.parallelogram = f.e12.squaredNorm() <= 1e-24 * (f.e1.squaredNorm() + f.e2.squaredNorm());
 		const Real side = f.normal.dot(f.e1.cross(f.e2));
 		f.dual1         = f.e2.cross(f.normal) / side;
 		f.dual2         = f.normal.cross(f.e1) / side;
@@ -271,9 +272,7 @@ std::string cornersProblem(const Nodes& corners)
 	return problem;
 }
 
-Vector4r bilinear(Real xi, Real eta) { return Vector4r((1 - xi) * (1 - eta), (1 + xi) * (1 - eta), (1 + xi) * (1 + eta), (1 - xi) * (1 + eta)) / 4; }
-
-Vector2r Face::coordinates(const Vector3r& x) const
+Vector2r Face::coordinatesOnQuadrilateral(const Vector3r& x) const
 {
 	const auto     clamped = [](Real value) { return std::max(Real(-1), std::min(value, Real(1))); };
 	const Vector3r d       = x - centre;

@@ -6,6 +6,7 @@
 
 #include "Types.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace brick {
@@ -62,7 +63,7 @@ std::string nodesProblem(const Nodes& nodes);
 std::string cornersProblem(const Nodes& corners);
 
 /// Weights of a face's four nodes at its natural coordinates, in the order of faceNodes; they sum to 1.
-Vector4r bilinear(Real xi, Real eta);
+inline Vector4r bilinear(Real xi, Real eta) { return { (1 - xi) * (1 - eta) / 4, (1 + xi) * (1 - eta) / 4, (1 + xi) * (1 + eta) / 4, (1 - xi) * (1 + eta) / 4 }; }
 
 /// One face of a brick at rest, body frame:  x(xi, eta) = centre + xi e1 + eta e2 + xi eta e12,  (xi, eta) in [-1,1]^2.
 struct Face {
@@ -77,10 +78,20 @@ struct Face {
 
 	/// Natural coordinates of the projection of x along the normal, each clamped to [-1,1]. Closed form, exact on any convex face; of a point beside the
 	/// face, one coordinate after the other is clamped (the nearest point only if the face is a rectangle). Never throws or allocates.
-	Vector2r coordinates(const Vector3r& x) const;
+	Vector2r coordinates(const Vector3r& x) const
+	{
+		if (!parallelogram) return coordinatesOnQuadrilateral(x);
+		const Vector3r d = x - centre;
+		return { std::max(Real(-1), std::min(dual1.dot(d), Real(1))), std::max(Real(-1), std::min(dual2.dot(d), Real(1))) };
+	}
 
 	/// Point of the face at (xi, eta), body frame [m].
 	Vector3r at(Real xi, Real eta) const;
+
+	bool parallelogram; ///< e12 is round-off (its squared length below 1e-24 of the sides')
+
+private:
+	Vector2r coordinatesOnQuadrilateral(const Vector3r& x) const;
 };
 
 /// Rest geometry of a brick, shared by equal bricks. Body frame: the origin is the centre of gravity.
