@@ -150,10 +150,21 @@ TEST(HexahedronTest, principal_frame_of_a_turned_cuboid_is_the_turn)
 TEST(HexahedronTest, principal_frame_of_a_square_prism_turned_about_its_axis_stays_where_it_is)
 {
 	// Two moments are equal: any axes in their plane are principal, and the smallest rotation is the one that tilts the axis and no more.
-	const Matrix3r       tilt  = Eigen::AngleAxis<Real>(.4, Vector3r::UnitX()).toRotationMatrix();
+	const Matrix3r       tilt  = Eigen::AngleAxis<Real>(.4, Vector3r(std::cos(1), std::sin(1), 0)).toRotationMatrix();
 	const Matrix3r       twist = Eigen::AngleAxis<Real>(.7, Vector3r::UnitZ()).toRotationMatrix();
 	const PrincipalFrame frame = principalFrame(solidProperties(moved(cuboidCorners({ .2, .2, .5 }), tilt * twist, Vector3r::Zero())).inertia);
 	EXPECT_LT((frame.orientation.toRotationMatrix() - tilt).norm(), 10 * roundOff);
+}
+
+TEST(HexahedronTest, principal_frame_half_way_between_two_names_of_the_axes_does_not_depend_on_round_off)
+{
+	const auto frameAt = [](Real angle) {
+		const Matrix3r turn = Eigen::AngleAxis<Real>(angle, Vector3r::UnitZ()).toRotationMatrix();
+		return principalFrame(solidProperties(moved(cuboidCorners({ .1, .2, .4 }), turn, Vector3r::Zero())).inertia).orientation.toRotationMatrix();
+	};
+	const Real half = std::atan(1.); // 45 degrees: x or y is as close to the long side
+	for (Real noise : { -1e-13, -1e-15, 1e-15, 1e-13 })
+		EXPECT_LT((frameAt(half + noise) - frameAt(half)).norm(), 1e-12); // the noise itself, not a quarter turn
 }
 
 TEST(HexahedronTest, principal_frame_is_right_handed_and_diagonalises_for_any_turn)

@@ -14,9 +14,16 @@ namespace {
 
 	using Fields6 = Eigen::Matrix<Real, dofCount, 6>;
 
-	/// Squared frequencies closer than this, of the largest, are one frequency; below it, of the largest, there is none. The solver's round-off is 1e-15 of the
-	/// largest; the softest mode of a cube with nu = 0.4999999 is 1e-7 of it, that of a slab of 1:100 with nu = 0.4999 2e-12: bending over volume change.
-	constexpr Real sameFrequency = 1e-10, noFrequency = 1e-12;
+	/// Neighbouring squared frequencies closer than this, relatively, are one frequency. The solver leaves 1e-15 of the largest, 1e-13 of the softest unless
+	/// nu is close to 0.5; there equal frequencies may count as two, which costs the rule for their shapes and nothing else.
+	constexpr Real sameFrequency = 1e-10;
+
+	/// Squared frequencies below this, of the largest, are none. The softest mode of a cube with nu = 0.4999999 is 1e-7 of it, that of a slab of 1:100 with
+	/// nu = 0.4999 2e-12: bending over volume change.
+	constexpr Real noFrequency = 1e-12;
+
+	/// Difference of K_ij and K_ji, of the largest entry, that counts as round-off.
+	constexpr Real symmetryTolerance = 1e-10;
 
 	/// Components this close to the largest, relatively, are equal to it: symmetric shapes have such ties, and round-off must not decide them.
 	constexpr Real sameComponent = 1e-6;
@@ -89,7 +96,7 @@ namespace {
 		}
 		const Real asymmetry = (K - K.transpose()).cwiseAbs().maxCoeff();
 		if (!K.allFinite()) throw std::invalid_argument("the stiffness matrix must be finite");
-		if (!(asymmetry <= sameFrequency * K.cwiseAbs().maxCoeff()))
+		if (!(asymmetry <= symmetryTolerance * K.cwiseAbs().maxCoeff()))
 			throw std::invalid_argument(message("the stiffness matrix must be symmetric; entries differ by ", asymmetry, " N/m"));
 	}
 
@@ -129,7 +136,7 @@ Modes deformationModes(const Matrix24& K, const Nodes& nodes, const std::array<R
 		                largest));
 	for (int first = 0, size = 0; first < modes.count; first += size) {
 		size = 1;
-		while (first + size < modes.count && frequencies[first + size] - frequencies[first + size - 1] <= sameFrequency * largest)
+		while (first + size < modes.count && frequencies[first + size] - frequencies[first + size - 1] <= sameFrequency * frequencies[first + size])
 			++size;
 		modes.shapes.middleCols(first, size) = inverse.asDiagonal() * canonicalBasis(vectors.middleCols(first, size));
 		for (int i = 0; i < size; ++i)
