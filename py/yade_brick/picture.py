@@ -15,7 +15,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.patches import Rectangle
+from matplotlib.patches import Polygon, Rectangle
 
 
 class Patch(NamedTuple):
@@ -68,7 +68,7 @@ def wallPicture(
 	:param view: 'elevation' (x to the right, z up), 'side' (y, z), 'plan' (x, y), '3d', or (azimuth, height) in degrees
 	:param title: text above; a motion made by us has to be called synthetic there too
 	:param time: simulated time [s], added to the title
-	:param ground: height of the ground [m], None for none
+	:param ground: height of the ground [m], None for none; in an oblique view it is drawn only where no brick is a support
 	:param limits: (left, right, bottom, top) [m] in the picture's plane; by default around the bricks
 	:param colorLabel: what the numbers are that colour the bricks, with unit
 	:param colorRange: (lowest, highest) of the colour scale; by default those of the bricks
@@ -99,7 +99,7 @@ def pictureSeries(
 	scale = _colorScale([brick.color for _, bricks, _ in frames for brick in bricks], colorRange)
 	figure, axes = _panels(len(frames), columns, width, limits, dpi)
 	for ax, (time, bricks, marks) in zip(axes, frames):
-		_drawGround(ax, ground, limits, right, up, toward)
+		_drawGround(ax, ground, limits, bricks, plane)
 		_drawBricks(ax, bricks, plane, toward, scale)
 		_drawMarks(ax, marks, plane, _markSize * min(1.0, math.sqrt(width / min(columns, len(frames)) / 8)))
 		_dressAxes(ax, limits, right, up, toward)
@@ -159,7 +159,7 @@ def _limitsAround(bricks, plane, ground, up):
 	margin = 0.08 * (high - low).max()
 	bottom = low[1] if ground is None else min(low[1], ground * up[2])
 	# An oblique view has its scale and its axes in a strip below.
-	strip = margin if abs(up[2]) > 1 - 1e-9 else 2.2 * margin
+	strip = margin if _seenLevel(plane) else 2.2 * margin
 	return low[0] - margin, high[0] + margin, bottom - strip, high[1] + margin
 
 
@@ -262,16 +262,28 @@ def _drawMarks(ax, marks, plane, size):
 		ax.scatter(flat[:, 0], flat[:, 1], s=size ** 2, color=color, edgecolors="#2b2b2b", linewidths=0.4, zorder=3)
 
 
-def _drawGround(ax, ground, limits, right, up, toward):
+def _drawGround(ax, ground, limits, bricks, plane):
 	if ground is None:
 		return
 	left, rightEnd, bottom, _ = limits
-	if abs(up[2]) > 1 - 1e-9:
+	if _seenLevel(plane):
 		ax.add_patch(Rectangle((left, bottom), rightEnd - left, ground - bottom, facecolor=_groundColor, edgecolor="#b8b3a6", hatch="////", linewidth=0, zorder=0))
 		ax.axhline(ground, color="#5d5a52", linewidth=1.2, zorder=1)
-	else:
-		# From above the ground plane fills the picture.
-		ax.set_facecolor("#eeece6")
+		return
+	if any(brick.support for brick in bricks):
+		return
+	# A piece of floor under bricks without a support: it shows in an oblique view which of them are in the air.
+	points = np.vstack([brick.corners for brick in bricks])[:, :2]
+	low, high = points.min(axis=0), points.max(axis=0)
+	margin = 0.15 * (high - low).max()
+	floor = [(x, y, ground) for x, y in ((low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1]))]
+	outward = margin * np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)])
+	ax.add_patch(Polygon((floor + outward) @ plane, closed=True, facecolor=_groundColor, edgecolor="#b8b3a6", linewidth=0.8, zorder=0))
+
+
+def _seenLevel(plane):
+	"""Whether the view is level: the vertical is the picture's up, and the ground a line."""
+	return abs(plane[2, 1]) > 1 - 1e-9
 
 
 def _dressAxes(ax, limits, right, up, toward):

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Makes bodies for a scene: single bricks, walls in the paper's two bonds, and the engine for a ground motion. Only places things: volume,
+# mass and inertia come from the library, which also refuses corners that are no brick.
+"""Builders of bricks and walls. Lengths in metres; every wrong argument raises ValueError, before anything is added to the scene."""
+
+import math
+from dataclasses import dataclass
+
+#: Colours (red, green, blue) of bricks and of fixed bricks.
+brickColor, fixedColor = (0.71, 0.47, 0.37), (0.64, 0.63, 0.61)
+
+#: Signs of a brick's corners in the order of Brick.corners.
+cornerSigns = ((-1, -1, -1), (1, -1, -1), (1, 1, -1), (-1, 1, -1), (-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1))
+
+#: Contact part of a brick for which no thickness is asked, as a share of its shortest edge: the paper's 1 mm in 0.1 m.
+defaultContactShare = 0.01
+
+
+def brick(
+        size=None, corners=None, center=(0, 0, 0), orientation=None, material=None, deformation="trilinear", element="full", inner="inset", contactThickness=None,
+        segments=4, fixed=False, color=None
+):
+	"""A body that is one brick, ready for O.bodies.append.
+
+	:param size: (lx, ly, lz) of a cuboid [m], each > 0; or
+	:param corners: eight corners of a convex hexahedron with planar faces [m], in the order of Brick.corners
+	:param center: where the origin of the brick's own axes goes: the middle of a cuboid; for corners (0, 0, 0) leaves them in place [m]
+	:param orientation: Quaternion that turns the brick's own axes into the world's; by default they are parallel
+	:param material: BrickMat, or its id or label in O.materials
+	:param deformation: 'rigid', 'uniform' or 'trilinear'
+	:param element: 'full', 'incompatible' or 'bbar'
+	:param inner: 'inset' or 'full'
+	:param contactThickness: r [m]; by default 1 % of the shortest edge
+	:param segments: segments along each edge of a face
+	:param fixed: True for a support that does not move
+	:param color: (red, green, blue), each in [0, 1]
+	:returns: Body with the solid's mass and principal inertia; its axes are principal axes of inertia
+	:raises ValueError: naming the argument, its value and what is allowed; see Brick for those that are passed on to it
+	"""
+	from yade import Body, Brick
+	material = _material(material)
+	given = _cuboid(size) if corners is None else _points(corners)
+	if (size is None) == (corners is None):
+		raise ValueError(f"size is {size} and corners is {corners}; allowed is exactly one of them")
+	solid = Brick.solidProperties(given)
+	thickness = defaultContactShare * _shortestEdge(given) if contactThickness is None else contactThickness
+	body = Body()
+	body.shape = Brick(
+	        corners=solid["corners"], deformation=deformation, element=element, inner=inner, contactThickness=thickness, segments=segments,
+	        color=_vector(color if color is not None else fixedColor if fixed else brickColor, "color")
+	)
+	body.material = material
+	_place(body, solid, material.density, _vector(center, "center"), _unitQuaternion(orientation))
+	body.dynamic = not fixed
+	return body
+
+
+def _place(body, solid, density, center, orientation):
+	state = body.state
+	state.pos = state.refPos = center + orientation * solid["centroid"]
+	state.ori = state.refOri = orientation * solid["orientation"]
+	state.mass = density * solid["volume"]
+	state.inertia = density * solid["inertia"]
+	body.aspherical = True
+
+
+def _material(material):
+	from yade import BrickMat, O
+	found = O.materials[material] if isinstance(material, (int, str)) else material
+	if not isinstance(found, BrickMat):
+		raise ValueError(f"material is {material!r}; allowed is a BrickMat, or the id or label of one")
+	if not (math.isfinite(found.density) and found.density > 0):
+		raise ValueError(f"density of the material is {found.density}; allowed is a finite number > 0 kg/m3")
+	return found
+
+
+def _cuboid(size):
+	"""Corners of a cuboid around the origin."""
+	if size is None:
+		raise ValueError("size and corners are both missing; one of them is needed")
+	return [_vector([0.5 * sign * length for sign, length in zip(signs, _lengths(size))], "size") for signs in cornerSigns]
+
+
+def _lengths(size):
+	size = tuple(size)
+	if len(size) != 3 or not all(math.isfinite(length) and length > 0 for length in size):
+		raise ValueError(f"size is {size}; allowed are three finite lengths > 0 m")
+	return size
+
+
+def _points(corners):
+	corners = [_vector(corner, "corner") for corner in corners]
+	if len(corners) != 8:
+		raise ValueError(f"{len(corners)} corners given; a brick has 8")
+	return corners
+
+
+def _vector(values, name):
+	from yade import Vector3
+	values = tuple(values)
+	if len(values) != 3 or not all(math.isfinite(value) for value in values):
+		raise ValueError(f"{name} is {values}; allowed are three finite numbers")
+	return Vector3(*values)
+
+
+def _unitQuaternion(orientation):
+	from yade import Quaternion
+	if orientation is None:
+		return Quaternion.Identity
+	length = orientation.norm()
+	if not abs(length - 1) < 1e-6:
+		raise ValueError(f"orientation has the length {length}; allowed is a unit quaternion")
+	return orientation.normalized()
+
+
+def _shortestEdge(corners):
+	edges = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
+	return min((corners[i] - corners[j]).norm() for i, j in edges)
+
+
+# ---- walls -----------------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Masonry:
+	"""Bricks of a wall, by course.
+
+	:param courses: courses[i][j] is the Body of course i from below and place j from the left (along x)
+
+	`O.bodies.append(wall.bodies)` puts them into the scene, course by course from below, each from the left.
+	"""
+
+	courses: tuple
+
+	@property
+	def bodies(self):
+		"""All bodies, in that order."""
+		return [body for course in self.courses for body in course]
+
+	@property
+	def ids(self):
+		"""Their ids, in that order; -1 each before they are in the scene."""
+		return [body.id for body in self.bodies]
+
+
+def straightJointWall(columns=6, courses=6, size=(0.2, 0.2, 0.2), origin=(0, 0, 0), **brickOptions):
+	"""Wall of equal bricks whose vertical joints are straight [Furukawa et al. 2014, Fig. 7 (a)]; bricks touch, see MortarJoints.
+
+	:param columns: bricks in a course, >= 1
+	:param courses: courses, >= 1
+	:param size: of a brick together with its share of mortar: along the wall (x), through it (y), height (z) [m]
+	:param origin: corner of the wall with the lowest x, y and z [m]
+	:param brickOptions: material and the other arguments of `brick`, except size, corners, center, orientation
+	:returns: Masonry
+	:raises ValueError: naming the argument, its value and what is allowed
+	"""
+	return _masonry([[size[0]] * _count(columns, "columns")] * _count(courses, "courses"), _lengths(size), origin, brickOptions)
+
+
+def englishBondWall(columns=6, courses=6, size=(0.2, 0.2, 0.2), origin=(0, 0, 0), halfBricksFirst=False, **brickOptions):
+	"""Wall whose every other course begins and ends with a half brick, so that vertical joints are staggered by half a brick
+	[what Furukawa et al. 2014, Fig. 7 (b), call English bond]. Bed joints are partial: each brick lies on two.
+
+	:param columns: length of the wall in whole bricks, >= 1; a course with half bricks has columns + 1 bricks
+	:param halfBricksFirst: True for half bricks in the lowest course, False for the one above it
+	:param courses, size, origin, brickOptions: as in straightJointWall
+	:returns: Masonry
+	:raises ValueError: naming the argument, its value and what is allowed
+	"""
+	length, count = _lengths(size)[0], _count(columns, "columns")
+	whole, staggered = [length] * count, [0.5 * length] + [length] * (count - 1) + [0.5 * length]
+	lengths = [staggered if (course % 2 == 0) == bool(halfBricksFirst) else whole for course in range(_count(courses, "courses"))]
+	return _masonry(lengths, _lengths(size), origin, brickOptions)
+
+
+def _count(value, name):
+	if not isinstance(value, int) or isinstance(value, bool) or value < 1:
+		raise ValueError(f"{name} is {value!r}; allowed is a whole number >= 1")
+	return value
+
+
+def _masonry(lengthsByCourse, size, origin, brickOptions):
+	"""Bricks of given lengths, course by course."""
+	taken = {"size", "corners", "center", "orientation"} & set(brickOptions)
+	if taken:
+		raise ValueError(f"{', '.join(sorted(taken))} given for a wall; the wall chooses it for each brick")
+	start = _vector(origin, "origin")
+	courses = []
+	for course, lengths in enumerate(lengthsByCourse):
+		ends = [sum(lengths[:place]) for place in range(len(lengths))]
+		courses.append(
+		        tuple(
+		                brick((length, size[1], size[2]), center=start + _vector((left + 0.5 * length, 0.5 * size[1], (course + 0.5) * size[2]), "center"), **brickOptions)
+		                for left, length in zip(ends, lengths)
+		        )
+		)
+	return Masonry(tuple(courses))
+
+
+# ---- ground motion ---------------------------------------------------------------------------------------------------------------
+
+
+def groundMotion(motion, startTime=0.0, **options):
+	"""The engine that applies a motion (see yade_brick.motion) to the scene, to be put before NewtonIntegrator.
+
+	:param motion: Motion
+	:param startTime: simulated time of its first sample [s]
+	:param options: further attributes of GroundMotion
+	"""
+	from yade import GroundMotion, Vector3
+	return GroundMotion(dt=motion.dt, acceleration=[Vector3(*map(float, row)) for row in motion.acceleration], startTime=startTime, **options)
