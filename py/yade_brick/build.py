@@ -17,8 +17,8 @@ defaultContactShare = 0.01
 
 
 def brick(
-        size=None, corners=None, center=(0, 0, 0), orientation=None, material=None, deformation="trilinear", element="full", inner="inset", contactThickness=None,
-        segments=4, fixed=False, color=None
+        size=None, corners=None, center=(0, 0, 0), orientation=None, material=None, deformation="trilinear", element="full", inner="inset",
+        contactThickness=None, segments=4, fixed=False, color=None
 ):
 	"""A body that is one brick, ready for O.bodies.append.
 
@@ -185,15 +185,14 @@ def _masonry(lengthsByCourse, size, origin, brickOptions):
 	if taken:
 		raise ValueError(f"{', '.join(sorted(taken))} given for a wall; the wall chooses it for each brick")
 	start = _vector(origin, "origin")
+	_, depth, height = size
 	courses = []
 	for course, lengths in enumerate(lengthsByCourse):
-		ends = [sum(lengths[:place]) for place in range(len(lengths))]
-		courses.append(
-		        tuple(
-		                brick((length, size[1], size[2]), center=start + _vector((left + 0.5 * length, 0.5 * size[1], (course + 0.5) * size[2]), "center"), **brickOptions)
-		                for left, length in zip(ends, lengths)
-		        )
-		)
+		bodies = []
+		for place, length in enumerate(lengths):
+			middle = (sum(lengths[:place]) + 0.5 * length, 0.5 * depth, (course + 0.5) * height)
+			bodies.append(brick((length, depth, height), center=start + _vector(middle, "center"), **brickOptions))
+		courses.append(tuple(bodies))
 	return Masonry(tuple(courses))
 
 

@@ -274,7 +274,7 @@ def _columnAxes(path, lineNumber, found, axes):
 	"""Axis index of each acceleration column."""
 	if axes is None:
 		if not 1 <= found <= 3:
-			raise ValueError(f"{path}, line {lineNumber}: {found} acceleration columns found; allowed are 1 to 3 (is a time column missing or not meant?)")
+			raise ValueError(f"{path}, line {lineNumber}: {found} acceleration columns found; allowed are 1 to 3 (without dt the first is time)")
 		return list(range(found))
 	columns = [_axisIndex(axis) for axis in axes]
 	if len(set(columns)) != len(columns) or not columns:
@@ -297,8 +297,8 @@ def _uniformInterval(path, times, rowLines):
 		usual = np.median(steps)
 		row = 1 + int(np.argmax(np.abs(steps - usual) > timeTolerance * usual))
 		raise ValueError(
-		        f"{path}, line {rowLines[row]}: time {times[row]:g} s found, {steps[row - 1]:g} s after the one before, where the usual step is {usual:g} s; "
-		        "allowed are equal steps"
+		        f"{path}, line {rowLines[row]}: time {times[row]:g} s found, {steps[row - 1]:g} s after the one before, "
+		        f"where the usual step is {usual:g} s; allowed are equal steps"
 		)
 	return float(dt)
 
@@ -324,7 +324,7 @@ def combineComponents(motions, name=None, pad=False):
 			raise ValueError(f"{motion.name}: {len(motion)} samples found; allowed are {length}, as in the longest component (or pad=True)")
 		for axis in np.flatnonzero(motion.peak()):
 			if axis in owner:
-				raise ValueError(f"{motion.name}: moves along {axisNames[axis]}, which {owner[axis]} does already; allowed is one motion an axis")
+				raise ValueError(f"{motion.name}: moves along {axisNames[axis]}, as {owner[axis]} does; allowed is one motion an axis")
 			owner[axis] = motion.name
 			acceleration[:len(motion), axis] = motion.acceleration[:, axis]
 	return Motion(motions[0].dt, acceleration, name or " + ".join(motion.name for motion in motions), any(motion.synthetic for motion in motions))
@@ -341,7 +341,8 @@ def writeColumns(motion, path):
 	name and whether it is synthetic; numbers to 12 digits.
 	"""
 	with open(path, "w", encoding="latin-1", errors="replace") as file:
-		file.write(f"# name: {' '.join(motion.name.split())}\n# synthetic: {'yes' if motion.synthetic else 'no'}\n# time [s], acceleration along x, y, z [m/s2]\n")
+		file.write(f"# name: {' '.join(motion.name.split())}\n# synthetic: {'yes' if motion.synthetic else 'no'}\n")
+		file.write("# time [s], acceleration along x, y, z [m/s2]\n")
 		for time, row in zip(motion.times(), motion.acceleration):
 			file.write(" ".join(f"{value:.12g}" for value in (time, *row)) + "\n")
 
@@ -478,7 +479,7 @@ def _syntheticComponent(times, dt, peak, pulsePeriod, pulseVelocity, phaseTimes,
 	pulse, noise = _withoutDrift(pulse * window, window, dt), _withoutDrift(noise, window, dt)
 	strongest = np.abs(pulse).max()
 	if not strongest < peak:
-		raise ValueError(f"pulseVelocity is {pulseVelocity} m/s: its pulse alone reaches {strongest:.3g} m/s2; allowed is less than the peak, {peak:.3g} m/s2")
+		raise ValueError(f"pulseVelocity is {pulseVelocity} m/s: the pulses alone reach {strongest:.3g} m/s2; they have to stay below peak, {peak:.3g}")
 	return pulse + _noiseShare(pulse, noise, peak) * noise
 
 

@@ -52,7 +52,7 @@ faceNodes = ((0, 4, 7, 3), (1, 2, 6, 5), (0, 1, 5, 4), (3, 7, 6, 2), (0, 3, 2, 1
 failureModes = {1: ("#12b5e5", "failed in tension"), 2: ("#ffd23f", "failed in shear"), 3: ("#6a0dad", "failed in compression"), 4: ("#1a1a1a", "failed")}
 
 _brickTones = ("#b5785f", "#bd8166", "#ad7058", "#b97b5c", "#b27a67")
-_supportColor, _edgeColor, _groundColor = "#a3a19b", "#4b332a", "#d9d5cb"
+_supportColor, _edgeColor, _groundColor, _groundEdge = "#a3a19b", "#4b332a", "#d9d5cb", "#b8b3a6"
 _fontSize = 11
 _markSize = 4.5  # [points] in a picture 8 inches wide
 
@@ -267,7 +267,8 @@ def _drawGround(ax, ground, limits, bricks, plane):
 		return
 	left, rightEnd, bottom, _ = limits
 	if _seenLevel(plane):
-		ax.add_patch(Rectangle((left, bottom), rightEnd - left, ground - bottom, facecolor=_groundColor, edgecolor="#b8b3a6", hatch="////", linewidth=0, zorder=0))
+		soil = {"facecolor": _groundColor, "edgecolor": _groundEdge, "hatch": "////", "linewidth": 0}
+		ax.add_patch(Rectangle((left, bottom), rightEnd - left, ground - bottom, zorder=0, **soil))
 		ax.axhline(ground, color="#5d5a52", linewidth=1.2, zorder=1)
 		return
 	if any(brick.support for brick in bricks):
@@ -278,7 +279,7 @@ def _drawGround(ax, ground, limits, bricks, plane):
 	margin = 0.15 * (high - low).max()
 	floor = [(x, y, ground) for x, y in ((low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1]))]
 	outward = margin * np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)])
-	ax.add_patch(Polygon((floor + outward) @ plane, closed=True, facecolor=_groundColor, edgecolor="#b8b3a6", linewidth=0.8, zorder=0))
+	ax.add_patch(Polygon((floor + outward) @ plane, closed=True, facecolor=_groundColor, edgecolor=_groundEdge, linewidth=0.8, zorder=0))
 
 
 def _seenLevel(plane):
@@ -325,7 +326,7 @@ def _axisArrows(ax, limits, right, up, toward):
 	for axis, name in enumerate("xyz"):
 		tip = size * np.array([right[axis], up[axis]])
 		if np.linalg.norm(tip) > 0.1 * size:
-			ax.annotate("", origin + tip, origin, arrowprops={"arrowstyle": "-|>", "linewidth": 1.2, "color": "black", "shrinkA": 0, "shrinkB": 0}, zorder=4)
+			ax.annotate("", origin + tip, origin, arrowprops={"arrowstyle": "-|>", "color": "black", "shrinkA": 0, "shrinkB": 0}, zorder=4)
 			ax.text(*(origin + 1.25 * tip), name, ha="center", va="center", fontsize=_fontSize, zorder=4)
 
 

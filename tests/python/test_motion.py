@@ -106,7 +106,8 @@ class At2Test(FileCase):
 
 	def test_text_and_nan_among_the_values_are_refused_with_the_line(self):
 		for text in ("NaN", "*****", "inf", "1.2.E"):
-			self.refused(lambda: motion.readAt2(self.file(f"{at2Header}NPTS= 4, DT= .01 SEC\n.1 .2\n.3 {text}\n")), "line 6", "allowed are finite numbers")
+			path = self.file(f"{at2Header}NPTS= 4, DT= .01 SEC\n.1 .2\n.3 {text}\n")
+			self.refused(lambda: motion.readAt2(path), "line 6", "allowed are finite numbers")
 
 	def test_header_without_npts_or_dt_is_refused(self):
 		self.refused(lambda: motion.readAt2(self.file(at2Header + "1192 .02\n.1 .2\n")), "line 4", "1192 .02", "NPTS=")

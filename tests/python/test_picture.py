@@ -101,7 +101,8 @@ class PictureTest(unittest.TestCase):
 	def test_bad_input_is_refused_with_the_value(self):
 		good = wall()
 		for call, words in (
-		        (lambda: picture.wallPicture(self.path, []), "nothing to draw"), (lambda: picture.wallPicture(self.path, [(np.zeros((7, 3)), None)]), "brick 0"),
+		        (lambda: picture.wallPicture(self.path, []), "nothing to draw"),
+		        (lambda: picture.wallPicture(self.path, [(np.zeros((7, 3)), None)]), "brick 0"),
 		        (lambda: picture.wallPicture(self.path, [good[0], (np.full((8, 3), np.nan), None)]), "brick 1.*nan"),
 		        (lambda: picture.wallPicture(self.path, good, view="front"), "'front'.*'elevation'"),
 		        (lambda: picture.wallPicture(self.path, good, limits=(1, 0, 0, 1)), "limits"),
@@ -114,7 +115,8 @@ class PictureTest(unittest.TestCase):
 
 	def test_histories_become_a_png(self):
 		time = np.linspace(0, 1.5, 50)
-		picture.historyPlot(self.path, time, {"A": np.outer(time, [1, 2, 3]), "B": np.full((50, 3), np.nan)}, title="A and B", timeRange=(0, 1), width=9, dpi=100)
+		histories = {"A": np.outer(time, [1, 2, 3]), "B": np.full((50, 3), np.nan)}
+		picture.historyPlot(self.path, time, histories, title="A and B", timeRange=(0, 1), width=9, dpi=100)
 		self.assertEqual(self.size(), (900, 324))
 
 	def test_bad_histories_are_refused(self):

@@ -96,7 +96,8 @@ class ProgressTest(unittest.TestCase):
 		for arguments, words in (
 		        (dict(), "exactly one"), (dict(duration=1, until=3), "exactly one"), (dict(duration=0), "duration is 0"),
 		        (dict(duration=float("nan")), "nan"), (dict(until=2.0), "later than the present 2 s"), (dict(until=float("inf")), "inf"),
-		        (dict(duration=1, every=0.1), "callback"), (dict(duration=1, callback=print), "every"), (dict(duration=1, every=0, callback=print), "every is 0")
+		        (dict(duration=1, every=0.1), "callback"), (dict(duration=1, callback=print), "every"),
+		        (dict(duration=1, every=0, callback=print), "every is 0")
 		):
 			with self.assertRaisesRegex(ValueError, words):
 				self.run_(scene, **arguments)

@@ -109,7 +109,8 @@ class ReportTest(unittest.TestCase):
 			self.assertEqual(file.read(), "time [s],A x [m]\n0,1e-06\n0.1,nan\n")
 
 	def test_bad_histories_are_refused(self):
-		for columns, words in (({}, "empty"), ({"time": [1]}, "'time'"), ({"a, b [m]": [1]}, "comma"), ({"t [s]": [1, 2], "x [m]": [1]}, "'x \\[m\\]'")):
+		unequal = {"t [s]": [1, 2], "x [m]": [1]}
+		for columns, words in (({}, "empty"), ({"time": [1]}, "'time'"), ({"a, b [m]": [1]}, "comma"), (unequal, "'x \\[m\\]'")):
 			with self.assertRaisesRegex(ValueError, words):
 				report.writeHistories(os.path.join(self.out, "h.csv"), columns)
 

@@ -55,8 +55,8 @@ class SingleBrick(BuildCase):
 		self.assertEqual((b.state.refPos, b.state.refOri), (b.state.pos, b.state.ori))
 
 	def test_options_reach_the_shape(self):
-		b = build.brick((1, 1, 1), material=adobe(), deformation='uniform', element='bbar', inner='full', contactThickness=.02, segments=7, color=(0, .5, 1))
-		s = b.shape
+		options = dict(deformation='uniform', element='bbar', inner='full', contactThickness=.02, segments=7)
+		s = build.brick((1, 1, 1), material=adobe(), color=(0, .5, 1), **options).shape
 		self.assertEqual((s.deformation, s.element, s.inner, s.contactThickness, s.segments), ('uniform', 'bbar', 'full', .02, 7))
 		self.close(s.color, (0, .5, 1), 1e-15)
 
