@@ -36,12 +36,12 @@ def options():
 	parser = argparse.ArgumentParser(prog="02_straight_joint_wall.py", description=__doc__.splitlines()[0])
 	parser.add_argument("--model", choices=("rigid", "deform"), default="deform", help="RIGID or DEFORM of the paper (default: deform)")
 	parser.add_argument("--motion", metavar="FILE", help="PEER AT2 file, or columns of time [s] and acceleration [m/s2]; default: synthetic near-fault motion")
-	parser.add_argument("--duration", type=float, help="seconds of shaking (default: 8 s, or the motion's length if that is shorter)")
+	parser.add_argument("--duration", type=float, default=10, help="seconds of shaking (default: 10)")
 	parser.add_argument("--thickness", type=float, default=0.001, help="thickness r of the contact part [m] (default: 0.001)")
 	parser.add_argument("--segments", type=int, default=4, help="segments along each edge of a face (default: 4)")
 	parser.add_argument("--out", metavar="DIR", default="result-02", help="folder for the results (default: result-02)")
 	chosen = parser.parse_args()
-	if chosen.duration is not None and not (math.isfinite(chosen.duration) and chosen.duration > 0):
+	if not (math.isfinite(chosen.duration) and chosen.duration > 0):
 		parser.error(f"--duration is {chosen.duration}; allowed is a finite number of seconds > 0")
 	return chosen
 
@@ -156,15 +156,14 @@ def main():
 	begun = time.perf_counter()
 	settling, balance = settle(), unbalancedForce()
 	start = O.time
-	duration = chosen.duration or min(8.0, motion.duration)
 	O.engines = O.engines[:-1] + [build.groundMotion(motion, startTime=start)] + O.engines[-1:]
-	pictureTimes = [0] + [share * duration for share in (0.35, 0.45, 0.55, 0.75, 1)]
+	pictureTimes = [share * chosen.duration for share in (0, 0.25, 0.35, 0.45, 0.6, 1)]
 	recorder = Recorder(masonry, start, pictureTimes)
 	recorder.look()
-	shaking = progress.runWithProgress(duration=duration, label="shaking", every=0.01, callback=recorder.look)
+	shaking = progress.runWithProgress(duration=chosen.duration, label="shaking", every=0.01, callback=recorder.look)
 
 	title = f"{'RIGID' if chosen.model == 'rigid' else 'DEFORM'}, {motion.name}"
-	rows = lastState(masonry, recorder, motion.synthetic, duration)
+	rows = lastState(masonry, recorder, motion.synthetic, chosen.duration)
 	os.makedirs(chosen.out, exist_ok=True)
 	recorder.write(chosen.out, title)
 	every = max(1, len(recorder.times) // 100)

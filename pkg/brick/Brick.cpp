@@ -191,6 +191,7 @@ brick::Side Brick::side(const Vector3r& position, const State& state) const
 
 std::vector<Vector3r> Brick::worldCorners(const shared_ptr<State>& state) const
 {
+	if (!state) throw std::invalid_argument("state is None; it must be the State of the brick's body");
 	std::vector<Vector3r> out;
 	for (std::size_t a = 0; a < corners.size(); ++a)
 		out.push_back(state->pos + state->ori * (displacement.empty() ? corners[a] : Vector3r(corners[a] + displacement[a])));
@@ -228,10 +229,16 @@ boost::python::dict Brick::solidProperties(const std::vector<Vector3r>& given)
 	return out;
 }
 
-void Bo1_Brick_Aabb::go(const shared_ptr<Shape>& shape, shared_ptr<Bound>& bound, const Se3r& se3, const Body*)
+Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> Brick::stiffness(const std::vector<Vector3r>& nodes, Real young, Real poisson, const string& element)
+{
+	return brick::stiffness(nodesOf(nodes), young, poisson, elementOf(element));
+}
+
+void Bo1_Brick_Aabb::go(const shared_ptr<Shape>& shape, shared_ptr<Bound>& bound, const Se3r& se3, const Body* body)
 {
 	const Brick& b = static_cast<const Brick&>(*shape);
-	if (!b.solid) return;
+	// Without a box it meets nothing in the parallel loop, where an error would end the process; BrickDynamics refuses it later in the same step.
+	if (!b.solid || !dynamic_cast<const BrickMat*>(body->material.get())) return;
 	if (!bound) bound = shared_ptr<Bound>(new Aabb);
 	Vector3r lower, upper;
 	for (int a = 0; a < brick::nodeCount; ++a) {

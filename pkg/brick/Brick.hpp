@@ -36,6 +36,7 @@ public:
 	Vector6r              stress() const;
 	Real                  volume() const;
 	static boost::python::dict solidProperties(const std::vector<Vector3r>& corners);
+	static Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> stiffness(const std::vector<Vector3r>& nodes, Real young, Real poisson, const string& element);
 
 	void postLoad(Brick&);
 	// clang-format off
@@ -61,6 +62,8 @@ Limitations: small strain in the co-rotated frame; inertia forces of the rotatio
 		.add_property("volume", &Brick::volume, "Volume at rest [m3].")
 		.def("solidProperties", &Brick::solidProperties, (boost::python::arg("corners")), "Properties of the solid with eight given corners in any axes: dict of volume [m3], centroid [m], inertia (principal, for unit density [m5]), orientation (principal axes in the corners' axes), corners (in the principal frame [m]). Raises ValueError when the corners are no brick.")
 		.staticmethod("solidProperties")
+		.def("stiffness", &Brick::stiffness, (boost::python::arg("nodes"), boost::python::arg("young"), boost::python::arg("poisson"), boost::python::arg("element") = "full"), "The 24 x 24 stiffness matrix of the 8-node hexahedron with the given nodes [N/m], eq. (17): to compare with other finite element codes. Raises ValueError for wrong nodes or elasticity.")
+		.staticmethod("stiffness")
 	);
 	// clang-format on
 	REGISTER_CLASS_INDEX(Brick, Shape);

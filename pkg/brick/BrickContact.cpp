@@ -192,6 +192,7 @@ void Ip2_FrictMat_BrickMat_BrickPhys::go(const shared_ptr<Material>&, const shar
 
 std::vector<int> BrickPhys::segmentState() const
 {
+	if (!isJoint()) return failureModes;
 	std::vector<int> out;
 	for (const auto& s : joint.segments)
 		out.push_back(int(s.state));
@@ -208,16 +209,17 @@ std::vector<Real> BrickPhys::segmentArea() const
 
 namespace {
 
-	void needStep(const BrickGeom& geom)
+	void needStep(const shared_ptr<BrickGeom>& geom)
 	{
-		if (!geom.sides[0].solid) throw std::runtime_error("The geometry of this joint is known after the first step: run O.step() before asking for it.");
+		if (!geom) throw std::invalid_argument("geom is None; it must be the BrickGeom of the same interaction");
+		if (!geom->sides[0].solid) throw std::runtime_error("The geometry of this joint is known after the first step: run O.step() before asking for it.");
 	}
 
 } // namespace
 
 std::vector<Vector3r> BrickPhys::segmentPoints(const shared_ptr<BrickGeom>& geom) const
 {
-	needStep(*geom);
+	needStep(geom);
 	std::vector<Vector3r> out;
 	for (const auto& s : joint.segments) {
 		Vector3r x = Vector3r::Zero();
@@ -230,7 +232,7 @@ std::vector<Vector3r> BrickPhys::segmentPoints(const shared_ptr<BrickGeom>& geom
 
 std::vector<Real> BrickPhys::normalStress(const shared_ptr<BrickGeom>& geom) const
 {
-	needStep(*geom);
+	needStep(geom);
 	std::vector<Real> out;
 	for (const auto& s : joint.segments)
 		out.push_back(brick::segmentTraction(joint, s, geom->motion, springs.tanFriction).normal);
@@ -239,7 +241,7 @@ std::vector<Real> BrickPhys::normalStress(const shared_ptr<BrickGeom>& geom) con
 
 std::vector<Vector3r> BrickPhys::shearStress(const shared_ptr<BrickGeom>& geom) const
 {
-	needStep(*geom);
+	needStep(geom);
 	std::vector<Vector3r> out;
 	for (const auto& s : joint.segments)
 		out.push_back(geom->sides[0].placement.rotation * brick::segmentTraction(joint, s, geom->motion, springs.tanFriction).shear);
@@ -293,8 +295,9 @@ bool Law2_BrickGeom_BrickPhys_Mortar::go(shared_ptr<IGeom>& ig, shared_ptr<IPhys
 			compressionFailures += failures.compression;
 		}
 		if (phys.joint.intact == 0) {
-			phys.memory = brick::tractionsOfJoint(phys.joint, geom.motion, phys.springs.tanFriction, sides[0], sides[1]);
-			phys.joint  = brick::Joint();
+			phys.memory       = brick::tractionsOfJoint(phys.joint, geom.motion, phys.springs.tanFriction, sides[0], sides[1]);
+			phys.failureModes = phys.segmentState();
+			phys.joint        = brick::Joint();
 		}
 	} else {
 		if (geom.spots.empty()) return false;

@@ -58,12 +58,13 @@ public:
 :yref:`kn<NormPhys.kn>` and :yref:`ks<NormShearPhys.ks>` are sums over the area in contact [N/m]; the method's springs are per unit area. :yref:`normalForce<NormPhys.normalForce>` and :yref:`shearForce<NormShearPhys.shearForce>` act on id2.)",
 		((brick::PairSprings, springs, , Attr::hidden, "Compliances and damping of the pair."))
 		((brick::Joint, joint, , Attr::hidden, "Mortar joint; without segments for an ordinary contact."))
+		((vector<int>, failureModes, , Attr::readonly, "How each segment of the joint that this contact once was had failed: see segmentState."))
 		((brick::ContactMemory, memory, , Attr::hidden, "Shear tractions of an ordinary contact."))
 		((Real, deepest, 0, Attr::readonly, "Largest penetration so far as a fraction of the thinner contact part; above 1 the contact is outside the method (crushing).")),
 		createIndex();,
 		/*py*/
 		.add_property("jointed", &BrickPhys::isJoint, "Whether this is a mortar joint with at least one segment that holds; otherwise an ordinary contact.")
-		.add_property("segmentState", &BrickPhys::segmentState, "State of each segment of a joint: 0 intact, 1 failed in tension, 2 in shear, 3 in compression. Empty for an ordinary contact.")
+		.add_property("segmentState", &BrickPhys::segmentState, "State of each segment of a joint: 0 intact, 1 failed in tension, 2 in shear, 3 in compression; also of the joint that an ordinary contact has been since it was last made, empty if none.")
 		.add_property("segmentArea", &BrickPhys::segmentArea, "Area of each segment of a joint [m2].")
 		.def("segmentPoints", &BrickPhys::segmentPoints, (boost::python::arg("geom")), "Place of each segment of a joint in the last step, world axes [m].")
 		.def("normalStress", &BrickPhys::normalStress, (boost::python::arg("geom")), "Normal stress of each segment of a joint in the last step, tension positive, dashpots left out [Pa].")
