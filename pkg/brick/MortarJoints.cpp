@@ -3,6 +3,8 @@
 
 #include <core/Body.hpp>
 
+#include "kernel/Message.hpp"
+
 #include <algorithm>
 
 namespace yade {
@@ -135,6 +137,7 @@ namespace {
 void MortarJoints::postLoad(MortarJoints&)
 {
 	if (tolerance < 0) throw std::invalid_argument("MortarJoints.tolerance: " + std::to_string(tolerance) + " m; must be >= 0, or NaN for the default");
+	if (!normal.allFinite()) throw std::invalid_argument(brick::message("MortarJoints.normal: (", normal.transpose(), "); must be finite"));
 }
 
 void MortarJoints::join(const shared_ptr<Body>& a, const shared_ptr<Body>& b)

@@ -19,7 +19,7 @@ public:
 The mortar is the materials' (:yref:`BrickMat.mortar`), or the one given here for bed and head joints or some bodies to differ: call with the special ones first, since a pair that is joined stays as it is. Bricks without mortar are left to ordinary contact. The mortar takes half its thickness from each brick: eq. (2), see the documentation of the springs.)",
 		((vector<int>, ids, , , "Only joints between these bodies; empty: all."))
 		((shared_ptr<Mortar>, mortar, , , "Mortar of these joints; none: that of the bricks' materials."))
-		((Vector3r, normal, Vector3r::Zero(), , "Only faces within 45 degrees of this direction, either way: (0,0,1) for bed joints. Zero: all."))
+		((Vector3r, normal, Vector3r::Zero(), Attr::triggerPostLoad, "Only faces within 45 degrees of this direction, either way: (0,0,1) for bed joints. Zero: all."))
 		((Real, tolerance, NaN, Attr::triggerPostLoad, "Largest gap or overlap of faces that touch [m]; NaN: 1e-6 of each brick's diagonal. Such a gap counts as closed."))
 		((int, made, 0, Attr::readonly, "Joints made by the last call."))
 	);
