@@ -91,19 +91,26 @@ namespace {
 		return out;
 	}
 
-	/// A support's own corners may be far away; it takes the brick's face for its own, and the weights agree to the last digit.
-	JointFace supportFace(const Side& support, int face, const Side& brick, const JointFace& brickSide)
+	/// The guest's face as the joint knows it: corners moved along the host's normal to a plane that is `gap` away everywhere, so that nothing is strained at rest.
+	/// A brick's may be tilted a little, which mortar fills; a support's own may be far away, so it takes the host's.
+	JointFace guestFaceOf(const Side& guest, int face, const Side& host, const JointFace& hostSide, const Plane& plane, Real gap)
 	{
-		JointFace out;
-		out.normal = support.solid->faces[face].normal;
-		for (int a = 0; a < 4; ++a)
-			out.corners[a] = bodyPoint(support, worldPoint(brick, brickSide.corners[a]));
+		JointFace      out  = guest.support ? JointFace() : brickFace(guest, face);
+		const Vector3r away = plane.axis1.cross(plane.axis2);
+		out.normal          = guest.solid->faces[face].normal;
+		for (int a = 0; a < 4; ++a) {
+			const Vector3r x = guest.support ? worldPoint(host, hostSide.corners[a]) : worldPoint(guest, out.corners[a]);
+			out.corners[a]   = bodyPoint(guest, x + (gap - away.dot(x - plane.origin)) * away);
+		}
 		return out;
 	}
 
-	Vector4r weightsAt(const Side& side, int face, const Vector3r& x)
+	/// Weights of a face's nodes where the line through x along a direction meets it.
+	Vector4r weightsAt(const Side& side, int face, const Vector3r& x, const Vector3r& direction)
 	{
-		const Vector2r natural = side.solid->faces[face].coordinates(bodyPoint(side, x));
+		const Face&    f     = side.solid->faces[face];
+		const Vector3r local = bodyPoint(side, x), along = side.placement.rotation.transpose() * direction;
+		const Vector2r natural = f.coordinates(local + (f.offset - f.normal.dot(local)) / f.normal.dot(along) * along);
 		return bilinear(natural[0], natural[1]);
 	}
 
@@ -114,11 +121,12 @@ std::optional<Joint> joinFaces(const Side& side0, int face0, const Side& side1, 
 	if ((worldNormal(side0, face0) + worldNormal(side1, face1)).norm() > angleTolerance) return std::nullopt;
 
 	// the overlap is laid out on a brick's face, never on a support's, which may reach far
-	const bool  swapped = side0.support;
-	const Side &host = swapped ? side1 : side0, &guest = swapped ? side0 : side1;
-	const int   hostFace = swapped ? face1 : face0, guestFace = swapped ? face0 : face1;
-	const Plane plane = planeOf(host, hostFace);
-	Joint       joint;
+	const bool     swapped = side0.support;
+	const Side &   host = swapped ? side1 : side0, &guest = swapped ? side0 : side1;
+	const int      hostFace = swapped ? face1 : face0, guestFace = swapped ? face0 : face1;
+	const Plane    plane = planeOf(host, hostFace);
+	const Vector3r away  = plane.axis1.cross(plane.axis2);
+	Joint          joint;
 	joint.restGap = guest.solid->faces[guestFace].normal.dot(bodyPoint(guest, plane.origin)) - guest.solid->faces[guestFace].offset;
 	if (!(std::abs(joint.restGap) <= tolerance)) return std::nullopt;
 
@@ -126,7 +134,7 @@ std::optional<Joint> joinFaces(const Side& side0, int face0, const Side& side1, 
 	const Vector2r lower = a.lower.cwiseMax(b.lower), extent = a.upper.cwiseMin(b.upper) - lower;
 	if (extent.minCoeff() <= tolerance) return std::nullopt;
 
-	const Real     size = std::min(segmentSize(host, hostFace), segmentSize(guest, guestFace));
+	const Real     size    = std::min(segmentSize(host, hostFace), segmentSize(guest, guestFace));
 	const int      columns = std::max(1, int(std::lround(extent[0] / size))), rows = std::max(1, int(std::lround(extent[1] / size)));
 	const Vector2r step(extent[0] / columns, extent[1] / rows);
 	for (int row = 0; row < rows; ++row)
@@ -137,14 +145,14 @@ std::optional<Joint> joinFaces(const Side& side0, int face0, const Side& side1, 
 			JointSegment segment;
 			segment.area = cell.areaAndCentroid(centre);
 			if (segment.area <= 1e-9 * step[0] * step[1]) continue;
-			const Vector3r x            = plane.world(centre[0], centre[1]);
-			segment.weights[swapped]    = weightsAt(host, hostFace, x);
-			segment.weights[!swapped]   = guest.support ? segment.weights[swapped] : weightsAt(guest, guestFace, x);
+			const Vector3r x          = plane.world(centre[0], centre[1]);
+			segment.weights[swapped]  = weightsAt(host, hostFace, x, away);
+			segment.weights[!swapped] = guest.support ? segment.weights[swapped] : weightsAt(guest, guestFace, x, away);
 			joint.segments.push_back(segment);
 		}
 	if (!joint.exists()) return std::nullopt;
 	joint.faces[swapped]  = brickFace(host, hostFace);
-	joint.faces[!swapped] = guest.support ? supportFace(guest, guestFace, host, joint.faces[swapped]) : brickFace(guest, guestFace);
+	joint.faces[!swapped] = guestFaceOf(guest, guestFace, host, joint.faces[swapped], plane, joint.restGap);
 	joint.intact          = int(joint.segments.size());
 	return joint;
 }
@@ -190,7 +198,8 @@ namespace {
 	}
 
 	/// Traction on side 0 of a failed segment: unilateral spring and dashpot, Coulomb friction; moves the slip.
-	Vector3r contactTraction(JointSegment& segment, const SpotSprings& k, Real tanFriction, const Vector3r& n, Real un, const Vector3r& ut, const Vector3r& rate)
+	Vector3r
+	contactTraction(JointSegment& segment, const SpotSprings& k, Real tanFriction, const Vector3r& n, Real un, const Vector3r& ut, const Vector3r& rate)
 	{
 		const Real opening  = rate.dot(n);
 		const Real pressure = un < 0 ? std::max(0., -(k.normal * un + k.normalDashpot * opening)) : 0;
@@ -229,7 +238,7 @@ Failures jointLoads(Joint& joint, const JointMotion& m, const PairSprings& pair,
 		const Vector3r ut = d - d.dot(n) * n;
 		Vector3r       traction; // on side 0
 		if (segment.state == SegmentState::Intact) {
-			traction = joint.springs.normal * un * n + joint.springs.shear * ut;
+			traction                = joint.springs.normal * un * n + joint.springs.shear * ut;
 			const SegmentState mode = failureMode(joint.strength, joint.springs.normal * un, joint.springs.shear * ut.norm());
 			if (mode != SegmentState::Intact) {
 				segment.state = mode;

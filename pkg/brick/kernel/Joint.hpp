@@ -30,7 +30,7 @@ struct JointSegment {
 struct JointFace {
 	int                     face = -1;               ///< of the brick; -1 on a support
 	std::array<int, 4>      nodes { -1, -1, -1, -1 }; ///< -1 on a support, whose points do not move against it
-	std::array<Vector3r, 4> corners;                 ///< at rest, body axes [m]
+	std::array<Vector3r, 4> corners;                 ///< at rest, body axes [m]; of the second face: moved to where every segment is restGap wide
 	Vector3r                normal;                  ///< outward, body axes
 };
 
@@ -39,7 +39,7 @@ struct Joint {
 	std::vector<JointSegment> segments;
 	SpotSprings               springs;
 	MortarStrength            strength;
-	Real                      restGap = 0; ///< mean distance of the faces when they were joined [m], taken as closed
+	Real                      restGap = 0; ///< distance of the faces, at the centre of one, when they were joined [m]; taken as closed
 	int                       intact  = 0; ///< segments that hold
 	bool                      exists() const { return !segments.empty(); }
 };
