@@ -36,7 +36,7 @@ require("GoogleTest" libgtest-dev GTest_FOUND)
 if(missing)
 	list(REMOVE_DUPLICATES missing_packages)
 	list(JOIN missing_packages " " missing_packages)
-	message(FATAL_ERROR "Missing:${missing}\nOn Debian 12:  apt-get install ${missing_packages}")
+	message(FATAL_ERROR " Missing:${missing}\n On Debian 12:\n  apt-get install ${missing_packages}")
 endif()
 
 set(supported_version 2023.02a) # the folder in yade-abi/
