@@ -18,20 +18,19 @@ namespace {
 
 	brick::Elasticity elasticityOf(const BrickMat& m) { return { m.young, m.poisson }; }
 
-	/// Largest c/k of the dashpots between two bricks, eq. (4): 2 h sqrt(mave / k).
-	Real dashpotTime(const BrickMat& own, const Brick& shape, const BrickMat* other, const Brick* otherShape)
+	/// Largest c/k [s] of the dashpots of a spot, normal or shear.
+	Real dashpotTime(const brick::SpotSprings& k) { return std::max(k.normalDashpot / k.normal, k.shearDashpot / k.shear); }
+
+	/// The same for what is in touch at present. Faces that come into touch later are counted from the step after.
+	Real dashpotTime(const BrickGeom& geom, const BrickPhys& phys)
 	{
-		Real mass = own.density * longest(shape.contactLength), soft = longest(shape.contactLength);
-		Real normal = soft * elasticityOf(own).normalCompliance(), shear = soft * elasticityOf(own).shearCompliance();
-		Real hn = own.hn, hs = own.hs;
-		if (other) {
-			const Real l = longest(otherShape->contactLength);
-			mass += other->density * l;
-			normal += l * elasticityOf(*other).normalCompliance();
-			shear += l * elasticityOf(*other).shearCompliance();
-			hn = (own.hn + other->hn) / 2, hs = (own.hs + other->hs) / 2;
+		if (phys.isJoint()) return dashpotTime(phys.joint.springs);
+		Real longest = 0;
+		for (const auto& spot : geom.spots) {
+			const int face0 = spot.owner == 0 ? spot.ownerFace : spot.otherFace, face1 = spot.owner == 0 ? spot.otherFace : spot.ownerFace;
+			longest         = std::max(longest, dashpotTime(phys.springs.at((*geom.sides[0].contactLength)[face0], (*geom.sides[1].contactLength)[face1])));
 		}
-		return 2 * std::max(hn * std::sqrt(mass * normal), hs * std::sqrt(mass * shear));
+		return longest;
 	}
 
 } // namespace
@@ -44,8 +43,11 @@ void BrickTimeStepper::postLoad(BrickTimeStepper&)
 BrickTimeStepper::Partners BrickTimeStepper::partnersOf(const Body& b, const Brick& shape, const BrickMat& material, Scene* scene)
 {
 	// at the least its like, which it may meet any time
-	const Real l = shortest(shape.contactLength);
-	Partners   p { { l * elasticityOf(material).normalCompliance(), infinity }, { l * elasticityOf(material).shearCompliance(), infinity }, dashpotTime(material, shape, &material, &shape) };
+	const Real l = shortest(shape.contactLength), l1 = longest(shape.contactLength);
+	Partners   p;
+	p.normal      = { l * elasticityOf(material).normalCompliance(), infinity };
+	p.shear       = { l * elasticityOf(material).shearCompliance(), infinity };
+	p.dashpotTime = dashpotTime(pairSprings(material, false, material).at(l1, l1));
 	for (const auto& item : b.intrs) {
 		const auto& other = Body::byId(item.first, scene);
 		if (!other || !other->shape) continue;
@@ -61,7 +63,8 @@ BrickTimeStepper::Partners BrickTimeStepper::partnersOf(const Body& b, const Bri
 		}
 		p.normal[held] = std::min(p.normal[held], normal);
 		p.shear[held]  = std::min(p.shear[held], shear);
-		p.dashpotTime  = std::max(p.dashpotTime, dashpotTime(material, shape, otherMat && otherShape ? otherMat : nullptr, otherShape));
+		const auto* geom = dynamic_cast<const BrickGeom*>(item.second->geom.get());
+		if (phys && geom && geom->sides[0].solid) p.dashpotTime = std::max(p.dashpotTime, dashpotTime(*geom, *phys));
 	}
 	return p;
 }
