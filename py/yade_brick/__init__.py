@@ -35,4 +35,13 @@ def _load():
 
 _classes = _load()
 globals().update(_classes)
-__all__ = sorted(_classes)
+
+from . import build, motion, picture, progress, report, snapshot
+from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
+from .motion import Motion, readAt2, readColumns, syntheticNearFault
+from .picture import historyPlot, pictureSeries, wallPicture
+from .progress import runWithProgress
+from .snapshot import JointRecord, patches
+
+# Modules stay out of `from yade_brick import *`: names such as `motion` and `report` are often a script's own.
+__all__ = sorted(name for name, value in globals().items() if not name.startswith('_') and type(value) is not type(_sys))
