@@ -5,6 +5,8 @@
 
 #include "Types.hpp"
 
+#include <algorithm>
+
 namespace brick {
 
 /// @tparam dimensions  entries of a vertex; the first three are its place
@@ -25,16 +27,13 @@ public:
 	/// Keeps the part where the given entry is negative.
 	void keepNegative(int entry)
 	{
-		std::array<Vertex, capacity> kept;
-		int                          n = 0;
-		for (int i = 0; i < count && n + 2 <= capacity; ++i) {
-			const Vertex &here = vertices[i], &next = vertices[i + 1 < count ? i + 1 : 0];
-			const Real    a = here[entry], b = next[entry];
-			if (a < 0) kept[n++] = here;
-			if ((a < 0) != (b < 0)) kept[n++] = here + a / (a - b) * (next - here);
-		}
-		vertices = kept;
-		count    = n;
+		keep([entry](const Vertex& v) { return v[entry]; });
+	}
+
+	/// Keeps the part where one entry is above another.
+	void keepAbove(int entry, int other)
+	{
+		keep([entry, other](const Vertex& v) { return v[other] - v[entry]; });
 	}
 
 	/// Area [m2], and the values at the centroid.
@@ -53,6 +52,21 @@ public:
 	}
 
 private:
+	/// Keeps the part where a value is negative.
+	template <class Value> void keep(Value value)
+	{
+		std::array<Vertex, capacity> kept;
+		int                          n = 0;
+		for (int i = 0; i < count && n + 2 <= capacity; ++i) {
+			const Vertex &here = vertices[i], &next = vertices[i + 1 < count ? i + 1 : 0];
+			const Real    a = value(here), b = value(next);
+			if (a < 0) kept[n++] = here;
+			if ((a < 0) != (b < 0)) kept[n++] = here + a / (a - b) * (next - here);
+		}
+		std::copy(kept.begin(), kept.begin() + n, vertices.begin());
+		count = n;
+	}
+
 	static constexpr int         capacity = 4 + 2 * cuts;
 	std::array<Vertex, capacity> vertices;
 	int                          count;

@@ -12,10 +12,17 @@ namespace {
 
 	// vertex: place in the other body's frame, natural coordinates on the owner's face, height over each face of the other body
 	constexpr int naturalEntry = 3, heightEntry = 5;
-	using Patch                = ClippedPolygon<11, faceCount>;
+	using Patch                = ClippedPolygon<11, 2 * faceCount>;
 	using Heights              = Eigen::Matrix<Real, faceCount, 1>;
 
-	int keyOf(int owner, int face, int segment) { return (owner * faceCount + face) * largestSegments * largestSegments + segment; }
+	/// Where a segment can press on several faces of the other body, it is divided into the parts nearest to each, unless it is nearly perpendicular to one:
+	/// that one's part would press with the square of this cosine, and stacked bricks that lean a little would have the segments at their rims divided for nothing.
+	constexpr Real leastCosine = .02;
+
+	int keyOf(int owner, int face, int segment, int otherFace)
+	{
+		return ((owner * faceCount + face) * largestSegments * largestSegments + segment) * faceCount + otherFace;
+	}
 
 	/// The owner's corners in the other body's frame, and the planes of that body.
 	class View {
@@ -157,14 +164,42 @@ namespace {
 			for (int f = 0; f < faceCount && !patch.empty(); ++f)
 				if (highest[f] >= 0) patch.keepNegative(heightEntry + f);
 			if (patch.empty()) return;
+			std::array<int, faceCount> nearest;
+			const int                  count = nearestFaces(lowest, highest, nearest);
+			if (count < 2) {
+				addPart(segment, patch, anyFace, spots);
+				return;
+			}
+			for (int i = 0; i < count; ++i) {
+				Patch part = patch;
+				for (int j = 0; j < count && !part.empty(); ++j)
+					if (j != i) part.keepAbove(heightEntry + nearest[i], heightEntry + nearest[j]);
+				if (!part.empty()) addPart(segment, part, nearest[i], spots);
+			}
+		}
+
+		/// The faces of the other body that can be pressed on and could be the nearest to some part of a segment, from its corners' heights.
+		int nearestFaces(const Heights& lowest, const Heights& highest, std::array<int, faceCount>& out) const
+		{
+			const Real least = lowest.maxCoeff();
+			int        count = 0;
+			for (int f = 0; f < faceCount; ++f)
+				if (cosine[f] > leastCosine && highest[f] > least) out[count++] = f;
+			return count;
+		}
+
+		/// @param expected the nearest face, otherwise there is no spot; or anyFace
+		void addPart(int segment, const Patch& patch, int expected, std::vector<ContactSpot>& spots) const
+		{
 			Patch::Vertex centre;
 			const Real    area = patch.areaAndCentroid(centre);
 			int           nearest;
 			const Real    penetration = -centre.tail<faceCount>().maxCoeff(&nearest);
 			if (!(area > 0) || !(penetration > 0) || cosine[nearest] <= 0) return;
+			if (expected != anyFace && nearest != expected) return;
 
 			ContactSpot spot;
-			spot.key              = keyOf(ownerIndex, face, segment);
+			spot.key              = keyOf(ownerIndex, face, segment, nearest);
 			spot.owner            = ownerIndex;
 			spot.ownerFace        = face;
 			spot.otherFace        = nearest;
@@ -178,6 +213,8 @@ namespace {
 			spot.area             = weight * cosine[nearest] * area;
 			spots.push_back(spot);
 		}
+
+		static constexpr int anyFace = -1;
 
 		const View& view;
 		int         ownerIndex, face;
@@ -299,6 +336,19 @@ void contactLoads(
 	if (sum.normal.norm() > 0) sum.normal.normalize();
 }
 
+namespace {
+
+	/// Number of a joint's face; a support's is told by its normal.
+	int faceNumber(const JointFace& jointFace, const Hexahedron& solid)
+	{
+		int face = 0;
+		while (jointFace.face < 0 && face + 1 < faceCount && solid.faces[face].normal != jointFace.normal)
+			++face;
+		return jointFace.face < 0 ? face : jointFace.face;
+	}
+
+} // namespace
+
 ContactMemory tractionsOfJoint(const Joint& joint, const JointMotion& motion, Real tanFriction, const Side& side0, const Side& side1)
 {
 	ContactMemory                    memory;
@@ -307,7 +357,7 @@ ContactMemory tractionsOfJoint(const Joint& joint, const JointMotion& motion, Re
 		if (sides[s]->support) continue;
 		const JointFace& jointFace = joint.faces[s];
 		const Face&      face      = sides[s]->solid->faces[jointFace.face];
-		const int        n         = sides[s]->segments;
+		const int        n = sides[s]->segments, otherFace = faceNumber(joint.faces[!s], *sides[!s]->solid);
 		for (int cell = 0; cell < n * n; ++cell) {
 			const Vector3r centre = face.at((2. * (cell % n) + 1) / n - 1, (2. * (cell / n) + 1) / n - 1);
 			// nearest segment of the joint; a cell that the joint does not reach will find no partner and forget it
@@ -320,7 +370,7 @@ ContactMemory tractionsOfJoint(const Joint& joint, const JointMotion& motion, Re
 				if ((x - centre).squaredNorm() < distance) distance = (x - centre).squaredNorm(), nearest = &segment;
 			}
 			const Vector3r onSide0 = segmentTraction(joint, *nearest, motion, tanFriction).shear;
-			memory.keys.push_back(keyOf(s, jointFace.face, cell));
+			memory.keys.push_back(keyOf(s, jointFace.face, cell, otherFace));
 			memory.tractions.push_back(s == 0 ? onSide0 : Vector3r(-(motion.turn.transpose() * onSide0)));
 		}
 	}

@@ -3,7 +3,8 @@
 //
 // Each segment of a face of one body (the owner) is cut to the part that lies inside the other body; this part is a spot of contact:
 //   place        centroid of the part
-//   penetration  distance to the nearest face of the other body, along that face's normal
+//   penetration  distance to the nearest face of the other body, along that face's normal; where an edge or a corner of the other body digs in, the
+//                segment is divided into the parts that are nearest to each of its faces, a spot each
 //   area         of the part, times the cosine between the two faces, so that what counts is the footprint on the other body's face
 // Both bodies own spots, each with half its weight, so that the order of the bodies does not matter (a support owns none, and a brick's spots on it
 // count fully). The normal force of two flat faces is therefore the exact integral of penetration over their overlap for any number of segments, and
@@ -23,7 +24,7 @@ constexpr int largestSegments = 64;
 
 /// One spot of contact. Frame: body axes of the other body, origin at its position.
 struct ContactSpot {
-	int      key; ///< of owner, face and segment: the same segment has the same key in every step; spots are sorted by it
+	int      key; ///< of owner, face, segment and the other's face: the same in every step; spots are sorted by it
 	int      owner;
 	int      ownerFace, otherFace;
 	Vector4r ownerWeights, otherWeights; ///< of the faces' nodes
@@ -47,15 +48,15 @@ struct ContactMemory {
 
 /// Forces of all spots on both bodies; `memory` is replaced by the present tractions, `scratch` is working space.
 void contactLoads(
-        const Side&                      side0,
-        const Side&                      side1,
-        const std::vector<ContactSpot>&  spots,
-        const PairSprings&               pair,
-        Real                             dt,
-        ContactMemory&                   memory,
-        ContactMemory&                   scratch,
-        std::array<Loads, 2>&            loads,
-        PairSummary&                     sum);
+        const Side&                     side0,
+        const Side&                     side1,
+        const std::vector<ContactSpot>& spots,
+        const PairSprings&              pair,
+        Real                            dt,
+        ContactMemory&                  memory,
+        ContactMemory&                  scratch,
+        std::array<Loads, 2>&           loads,
+        PairSummary&                    sum);
 
 /// The tractions of a joint whose last segment has failed, laid on the segments of the two faces, so that the contact that takes over goes on with
 /// the same shear.
