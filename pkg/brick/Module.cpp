@@ -28,6 +28,12 @@ namespace {
 
 	using Names = std::vector<std::string>;
 
+#ifdef YADE_BRICK_REAL_HEADERS
+	constexpr const char* headers = "source tree";
+#else
+	constexpr const char* headers = "yade-abi";
+#endif
+
 	// ------------------------------------------------------------------------------------------------------------ our class names
 
 	std::set<std::string>& namesBefore()
@@ -173,11 +179,13 @@ namespace {
 extern "C" __attribute__((visibility("default"))) PyObject* PyInit__core()
 {
 	static PyModuleDef definition
-	        = { PyModuleDef_HEAD_INIT, "_core", "Classes of yade_brick; their names are in `classes`.", -1, nullptr, nullptr, nullptr, nullptr, nullptr };
+	        = { PyModuleDef_HEAD_INIT, "_core", "Names of the classes of yade_brick; what they were compiled with.", -1, nullptr, nullptr, nullptr, nullptr, nullptr };
 	try {
 		const boost::python::list names = yade::load();
 		PyObject* const           self  = PyModule_Create(&definition);
-		if (self && PyModule_AddObject(self, "classes", boost::python::incref(names.ptr())) == 0) return self;
+		if (self && PyModule_AddObject(self, "classes", boost::python::incref(names.ptr())) == 0
+		    && PyModule_AddStringConstant(self, "headers", yade::headers) == 0)
+			return self;
 	} catch (const boost::python::error_already_set&) {
 	} catch (const std::exception& e) {
 		PyErr_SetString(PyExc_ImportError, e.what());

@@ -3,7 +3,7 @@
 import math, os, pickle, tempfile, unittest
 
 from yade import O
-from yade_brick import BrickMat, Mortar
+from yade_brick import BrickMat, Mortar, _core
 
 nan = float('nan')
 
@@ -67,6 +67,7 @@ class Refusal(unittest.TestCase):
 		self.refused(Mortar, 'positive', compressiveStrength=0)
 		self.refused(Mortar, 'pi/2', frictionAngle=2)
 
+	@unittest.skipIf(_core.headers != 'yade-abi', "YADE's own macros keep the refused value")
 	def test_assignment_is_checked_and_taken_back(self):
 		m = BrickMat(hn=.3)
 		with self.assertRaises(ValueError):
