@@ -33,6 +33,24 @@ namespace {
 		return longest;
 	}
 
+	/// Adds the area that an interaction takes of each face of one of its bodies, as a fraction of the face.
+	void addCoverage(const BrickGeom& geom, const BrickPhys& phys, int side, std::array<Real, brick::faceCount>& coverage)
+	{
+		const auto& faces = geom.sides[side].solid->faces;
+		if (phys.isJoint()) {
+			const int face = phys.joint.faces[side].face;
+			coverage[face] += geom.area / faces[face].area;
+			return;
+		}
+		for (const auto& spot : geom.spots) {
+			const int face = spot.owner == side ? spot.ownerFace : spot.otherFace;
+			coverage[face] += spot.area / faces[face].area;
+		}
+	}
+
+	/// 1 for a face covered once at most; beyond that in quarters, so that the bound is not found anew for every small change.
+	Real atLeastOnce(Real coverage) { return std::max(1., std::ceil(4 * coverage - 1e-3) / 4); }
+
 } // namespace
 
 void BrickTimeStepper::postLoad(BrickTimeStepper&)
@@ -47,6 +65,7 @@ BrickTimeStepper::Partners BrickTimeStepper::partnersOf(const Body& b, const Bri
 	Partners   p;
 	p.normal      = { l * elasticityOf(material).normalCompliance(), infinity };
 	p.shear       = { l * elasticityOf(material).shearCompliance(), infinity };
+	p.coverage.fill(0);
 	p.dashpotTime = dashpotTime(pairSprings(material, false, material).at(l1, l1));
 	for (const auto& item : b.intrs) {
 		const auto& other = Body::byId(item.first, scene);
@@ -64,8 +83,12 @@ BrickTimeStepper::Partners BrickTimeStepper::partnersOf(const Body& b, const Bri
 		p.normal[held] = std::min(p.normal[held], normal);
 		p.shear[held]  = std::min(p.shear[held], shear);
 		const auto* geom = dynamic_cast<const BrickGeom*>(item.second->geom.get());
-		if (phys && geom && geom->sides[0].solid) p.dashpotTime = std::max(p.dashpotTime, dashpotTime(*geom, *phys));
+		if (!phys || !geom || !geom->sides[0].solid) continue;
+		p.dashpotTime = std::max(p.dashpotTime, dashpotTime(*geom, *phys));
+		addCoverage(*geom, *phys, phys->ids[0] == b.getId() ? 0 : 1, p.coverage);
 	}
+	for (auto& c : p.coverage)
+		c = atLeastOnce(c);
 	return p;
 }
 
@@ -79,7 +102,8 @@ Real BrickTimeStepper::stepOf(const Body& b, Brick& shape, const BrickMat& mater
 	std::array<brick::FaceSprings, brick::faceCount> springs;
 	for (int f = 0; f < brick::faceCount; ++f) {
 		const Real l = shape.contactLength[f], n = l * elasticityOf(material).normalCompliance(), s = l * elasticityOf(material).shearCompliance();
-		springs[f]   = { std::max(2 / (n + partners.normal[0]), 1 / (n + partners.normal[1])), std::max(2 / (s + partners.shear[0]), 1 / (s + partners.shear[1])) };
+		springs[f]   = { partners.coverage[f] * std::max(2 / (n + partners.normal[0]), 1 / (n + partners.normal[1])),
+			         partners.coverage[f] * std::max(2 / (s + partners.shear[0]), 1 / (s + partners.shear[1])) };
 	}
 	std::vector<Real> key { state.mass, state.inertia[0], state.inertia[1], state.inertia[2], partners.dashpotTime };
 	for (const auto& f : springs)

@@ -28,9 +28,13 @@ The step never grows during a run, so that a run continued from a file takes the
 private:
 	/// Stiffest partners of one brick: compliance per area beyond the brick's own [m/Pa], of bodies that move and of bodies that are held.
 	struct Partners {
-		std::array<Real, 2> normal, shear; // moving, held
-		Real                dashpotTime;
-		bool                operator==(const Partners& o) const { return normal == o.normal && shear == o.shear && dashpotTime == o.dashpotTime; }
+		std::array<Real, 2>                normal, shear; // moving, held
+		Real                               dashpotTime;
+		std::array<Real, brick::faceCount> coverage; // how often each face is covered at present: 1, or more where partners overlap
+		bool                               operator==(const Partners& o) const
+		{
+			return normal == o.normal && shear == o.shear && dashpotTime == o.dashpotTime && coverage == o.coverage;
+		}
 	};
 	struct Known {
 		Partners partners;

@@ -3,9 +3,9 @@
 //
 // A spring between bodies A and B stores  k |uA - uB|^2 / 2 <= k |uA|^2 + k |uB|^2 : no more than springs of twice the stiffness from each body to the ground
 // (once the stiffness, if the other body is held). So the largest omega^2 of the assembly is at most the largest among single bricks on such springs. A brick's
-// springs are bounded by covering each of its faces once, with the stiffest springs that its partners give: a segment rule never stores more than the
-// integral over its face does. The brick moves by its rigid motion (exact mass and inertia) and its modes; see InnerMotion.hpp for why
-// their own stiffness does not count.
+// springs are bounded by covering each of its faces once (more often where its partners overlap each other) with the stiffest springs that its partners give:
+// a segment rule never stores more than the integral over its face does. The brick moves by its rigid motion (exact mass and inertia) and its modes; see
+// InnerMotion.hpp for why their own stiffness does not count.
 // The paper's eq. (15) is unsafe by up to 1.32 for rigid walls, and far off for the deformable model.
 #pragma once
 
