@@ -345,6 +345,8 @@ TEST(HexahedronTest, face_coordinates_of_points_beside_the_face_are_on_its_edge)
 					EXPECT_NEAR(natural.cwiseAbs().maxCoeff(), 1, roundOff); // on the edge, finite and not beyond
 				}
 	}
+	for (const Face& f : Hexahedron(skewed()).faces) // beyond a side of constant xi the point slides along its line of constant eta
+		EXPECT_LT((f.coordinates(f.at(1.2, .3)) - Vector2r(1, .3)).norm(), 10 * roundOff);
 	const Face top = Hexahedron(cuboidCorners({ .2, .2, .2 })).faces[5];
 	EXPECT_LT((top.coordinates({ .3, .05, .1 }) - Vector2r(1, .5)).norm(), roundOff);
 }

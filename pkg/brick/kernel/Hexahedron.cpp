@@ -281,10 +281,8 @@ Vector2r Face::coordinatesOnQuadrilateral(const Vector3r& x) const
 	// positive Jacobian, and half + J = 2 (1 + b xi) > 0. Outside, where they may vanish, eta goes to the end that q points to.
 	const Real half    = 1 + b * p - a * q;
 	const Real divisor = half + std::sqrt(std::max(Real(0), half * half + 4 * a * q));
-	Real       eta     = 2 * std::abs(q) >= divisor ? (q < 0 ? -1 : 1) : 2 * q / divisor;
-	const Real xi      = clamped(p / (1 + a * eta));
-	eta                = clamped(q / (1 + b * xi));
-	return { xi, eta };
+	const Real eta     = 2 * std::abs(q) >= divisor ? (q < 0 ? -1 : 1) : 2 * q / divisor;
+	return { clamped(p / (1 + a * eta)), eta };
 }
 
 Vector3r Face::at(Real xi, Real eta) const { return centre + xi * e1 + eta * e2 + xi * eta * e12; }

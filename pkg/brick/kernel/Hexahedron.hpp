@@ -63,7 +63,10 @@ std::string nodesProblem(const Nodes& nodes);
 std::string cornersProblem(const Nodes& corners);
 
 /// Weights of a face's four nodes at its natural coordinates, in the order of faceNodes; they sum to 1.
-inline Vector4r bilinear(Real xi, Real eta) { return { (1 - xi) * (1 - eta) / 4, (1 + xi) * (1 - eta) / 4, (1 + xi) * (1 + eta) / 4, (1 - xi) * (1 + eta) / 4 }; }
+inline Vector4r bilinear(Real xi, Real eta)
+{
+	return { (1 - xi) * (1 - eta) / 4, (1 + xi) * (1 - eta) / 4, (1 + xi) * (1 + eta) / 4, (1 - xi) * (1 + eta) / 4 };
+}
 
 /// One face of a brick at rest, body frame:  x(xi, eta) = centre + xi e1 + eta e2 + xi eta e12,  (xi, eta) in [-1,1]^2.
 struct Face {
@@ -77,7 +80,7 @@ struct Face {
 	Vector3r dual2;  ///< dual1.(x - centre) = xi and dual2.(x - centre) = eta when e12 = 0
 
 	/// Natural coordinates of the projection of x along the normal, each clamped to [-1,1]. Closed form, exact on any convex face; of a point beside the
-	/// face, one coordinate after the other is clamped (the nearest point only if the face is a rectangle). Never throws or allocates.
+	/// face, first eta is clamped, then xi (the nearest point only if the face is a rectangle). Never throws or allocates.
 	Vector2r coordinates(const Vector3r& x) const
 	{
 		if (!parallelogram) return coordinatesOnQuadrilateral(x);
