@@ -395,7 +395,8 @@ def _groundNoise(times, duration, seed):
 	weights *= math.sqrt(2) / np.linalg.norm(weights)
 	# The legacy generator: numpy guarantees its numbers for ever, those of default_rng it does not.
 	phases = np.random.RandomState(seed).uniform(0, 2 * math.pi, len(frequencies))
-	return np.cos(2 * math.pi * np.outer(times, frequencies) + phases) @ weights
+	# Sums are written out: a matrix product goes to BLAS, whose last digit depends on the number of threads, and a collapse on the last digit.
+	return (np.cos(2 * math.pi * np.outer(times, frequencies) + phases) * weights).sum(axis=1)
 
 
 def _phaseEnvelope(times, peakTime, rise):
@@ -418,7 +419,8 @@ def _withoutDrift(acceleration, window, dt):
 	columns = np.column_stack([acceleration, window, window * ramp])
 	velocity = _integral(columns, dt)
 	ends = np.vstack([velocity[-1], _integral(velocity, dt)[-1]])
-	return acceleration - columns[:, 1:] @ np.linalg.solve(ends[:, 1:], ends[:, 0])
+	level, slope = np.linalg.solve(ends[:, 1:], ends[:, 0])
+	return acceleration - (level + slope * ramp) * window
 
 
 def _noiseShare(pulse, noise, peak):

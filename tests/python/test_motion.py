@@ -4,6 +4,8 @@
 
 import doctest
 import os
+import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -238,6 +240,17 @@ class SyntheticTest(FileCase):
 		# 60 bisections leave the factor exact to round-off.
 		self.assertAlmostEqual(motion.syntheticNearFault().peak()[0] / (0.8 * g), 1, places=12)
 		np.testing.assert_allclose(motion.syntheticNearFault(peak=6.0, ratios=(1, 0.5, 0)).peak(), [6, 3, 0], rtol=1e-12)
+
+	def test_number_of_threads_does_not_change_a_bit(self):
+		# numpy's matrix products may run on several threads and then add in another order; a collapse would go another way.
+		script = "import sys; sys.path.insert(0, sys.argv[1]); import standalone; " \
+		         "sys.stdout.buffer.write(standalone.load('motion').syntheticNearFault().acceleration.tobytes())"
+		made = []
+		for threads in "1", "2", "4":
+			limits = {name: threads for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS")}
+			made.append(subprocess.run([sys.executable, "-c", script, os.path.dirname(standalone.__file__)], env={**os.environ, **limits}, capture_output=True, check=True).stdout)
+		self.assertEqual(len(made[0]), 8 * 3 * 901)
+		self.assertTrue(made[0] == made[1] == made[2])
 
 	def test_ground_ends_at_rest_where_it_began(self):
 		made = motion.syntheticNearFault(ratios=(1, 0.3, 0.6))
