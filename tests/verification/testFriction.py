@@ -51,7 +51,7 @@ class TiltedGravity(Case):
 	def moved(self, degrees, size, seconds, level, young, friction=FRICTION):
 		"""How far the top of a block moves down the slope, from the rest to which it comes with damping [m]."""
 		O.reset()
-		rough = material(young=young, frictionAngle=friction, dampingRatio=INSIDE)
+		rough = material(young=young, frictionAngle=friction, dampingRatio=INSIDE, hn=.02, hs=.02)
 		ground(rough)
 		self.block = add(size, center=(0, 0, size[2] / 2), material=rough, deformation=level, contactThickness=.005)
 		angle = math.radians(degrees)

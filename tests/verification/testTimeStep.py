@@ -22,7 +22,7 @@ class LimitOfTheTimeStep(Case):
 				add((SIDE, SIDE, SIDE), center=(SIDE * i, 0, SIDE * (k + .5)), material=undamped, deformation=level, contactThickness=thickness)
 
 	def growth(self, dt, steps=400):
-		"""Kinetic energy after many steps of a given size, as a multiple of the energy given at the start."""
+		"""Kinetic energy after many steps of a given size, as a multiple of the energy given at the start; infinite when forces became so."""
 		MortarJoints()()
 		engines(gravity=(0, 0, 0))
 		O.step()
@@ -31,7 +31,9 @@ class LimitOfTheTimeStep(Case):
 		for k, b in enumerate(b for b in O.bodies if isinstance(b.shape, Brick)):
 			b.state.vel = Vector3(1, .7, -1) * 1e-6 * (-1)**k
 		start = utils.kineticEnergy()
-		O.run(steps, True)
+		for _ in range(steps):
+			try: O.step()
+			except RuntimeError: return math.inf
 		return utils.kineticEnergy() / start
 
 	def bound(self, make):
