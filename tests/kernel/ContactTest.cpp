@@ -249,6 +249,23 @@ TEST(ContactTest, bulged_faces_touch_where_they_stand)
 	}
 }
 
+TEST(ContactTest, part_of_a_bulged_face_counts_with_its_own_height)
+{
+	for (int n : { 1, 4, 7 })
+		for (int side : { -1, 1 }) {
+			const Real b       = depth / 3; // the lower face rises along x, by b at its edges; the upper brick stands on one half
+			Pair       p       = Pair::stacked(n);
+			p.first.deformable = true;
+			for (int a : faceNodes[5])
+				p.first.displacement[a] = Vector3r(0, 0, nodeSigns[a][0] * b);
+			p.second.placement.position[0] = side * edge / 2;
+			const Real N                   = kn * edge * edge / 2 * (depth + side * b / 2);
+			// Linear, so exact where cells end with the face; a cell of the upper face that reaches beyond the lower one takes the height at the edge for what
+			// lies outside, and between: b / 8 of the mean with one cell, less with the square of their number.
+			EXPECT_NEAR(p.step().force()[2], N, (n == 4 ? 1e-9 : 1.001 * b / 8 / depth / (n * n)) * kn * edge * edge / 2 * depth) << n;
+		}
+}
+
 TEST(ContactTest, bulging_sides_of_neighbours_meet)
 {
 	for (int n : { 1, 4 }) {
@@ -586,6 +603,20 @@ TEST(ContactTest, segments_that_part_forget_their_friction)
 	p.second.placement.velocity.setZero();
 	p.second.placement.position[2] -= 1e-3;
 	EXPECT_LT(p.step(dt).force().head<2>().norm(), 1e-12 * weight);
+}
+
+TEST(ContactTest, friction_of_one_half_of_a_bed_is_not_inherited_by_the_other)
+{
+	for (Real tilt : { -1e-3, 1e-3 }) {
+		Pair p = Pair::stacked(4, 0);
+		p.second.move({ 0, tilt, 0 }, { 0, 0, 0 }, { 0, 0, edge / 2 });
+		EXPECT_LT(slide(p, 1e-7), -1); // N, on the half that is pressed
+		p.second.placement.velocity.setZero();
+		p.second.placement.position[0] -= 1e-7;
+		p.second.move({ 0, -2 * tilt, 0 }, { 0, 0, 0 }, { 0, 0, edge / 2 });
+		EXPECT_GT(p.step(dt).sum.normalForce[2], 1);
+		EXPECT_LT(p.step(dt).sum.shearForce.norm(), .01); // N: a sliver as wide as the slide, 1e-7 m, is pressed both times
+	}
 }
 
 TEST(ContactTest, dashpot_brakes_and_never_attracts)
