@@ -14,17 +14,18 @@ O.engines = [
         InsertionSortCollider([Bo1_Brick_Aabb(), Bo1_Wall_Aabb()], verletDist=0),
         InteractionLoop([Ig2_Wall_Brick_BrickGeom()], [Ip2_BrickMat_BrickMat_BrickPhys()], [Law2_BrickGeom_BrickPhys_Mortar()]),
         BrickTimeStepper(),
-        BrickDynamics(damping=.3, label='brickDynamics'),
-        NewtonIntegrator(gravity=(0, 0, -gravity), damping=.3, label='newton'),
+        BrickDynamics(damping=.3),
+        NewtonIntegrator(gravity=(0, 0, -gravity), damping=.3),
 ]
 O.run(4000, True)
-brickDynamics.damping = newton.damping = 0
+# not by label: all checks share one namespace, in which names of earlier ones live on
+O.engines[-1].damping = O.engines[-2].damping = 0
 for share in (.95, 1.5):
 	O.forces.setPermF(1, (share * friction * block.state.mass * gravity, 0, 0))
 	O.run(2000, True)
-	start, time = block.state.vel[0], O.time
+	speedBefore, timeBefore = block.state.vel[0], O.time
 	O.run(1000, True)
-	acceleration = (block.state.vel[0] - start) / (O.time - time)
+	acceleration = (block.state.vel[0] - speedBefore) / (O.time - timeBefore)
 	expected = max(0, share - 1) * friction * gravity
 	if abs(acceleration - expected) > 1e-2 * friction * gravity:
 		raise YadeCheckError('at %g of friction the brick accelerates by %g m/s2 instead of %g m/s2' % (share, acceleration, expected))
