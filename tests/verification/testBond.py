@@ -77,7 +77,7 @@ class BondOfTwoBricks(Case):
 		self.move()
 		# the bricks give way too: loaded on one face against their own inertia, so slowly that it is statics
 		opening, force = self.pull(Vector3(0, 0, 1), 1e-5, self.normalForce, limit=100)
-		self.judge('largest force [N]', force, self.expected['tension_N'], .05, 'a thousandth of 1e-5 m, against an opening at failure of 1e-6 m of the joint itself')
+		self.judge('largest force [N]', force, self.expected['tension_N'], .012, 'a step moves 1e-8 m, 1.1 % of the opening of the joint at failure')
 
 	def test_compression(self):
 		self.couplet(cohesion=1e15)
