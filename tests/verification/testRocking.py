@@ -54,7 +54,7 @@ class FreeRocking(Case):
 		quarter, peaks = self.rock('rigid', hard, 3, dt=1e-5)
 		self.judge('quarter period [s]', quarter, expected['T']['0.5']['T_exact'] / 4, 1e-2, 'indentation moves the edge inward')
 		for k, peak in enumerate(peaks, 1):
-			self.judge('tilt after impact %d' % k, peak, expected['amp_exact'][k], .02 * k, 'supports are 4 mm wide: impact 1 % inside the edge takes 1.5 % less, each time')
+			self.judge('tilt after impact %d' % k, peak, expected['amp_exact'][k], .02 * k, 'impact 1 % inside the edge, on supports of 4 mm, takes 1.5 % less')
 
 	def test_on_flat_ground(self):
 		expected = reference('dyn.rock_0.2_0.6')

@@ -14,7 +14,8 @@ O.engines = [
         ForceResetter(),
         InsertionSortCollider([Bo1_Brick_Aabb(), Bo1_Wall_Aabb()], verletDist=0),
         InteractionLoop(
-                [Ig2_Brick_Brick_BrickGeom(), Ig2_Wall_Brick_BrickGeom()], [Ip2_BrickMat_BrickMat_BrickPhys()], [Law2_BrickGeom_BrickPhys_Mortar(label='brickLaw')]
+                [Ig2_Brick_Brick_BrickGeom(), Ig2_Wall_Brick_BrickGeom()], [Ip2_BrickMat_BrickMat_BrickPhys()],
+                [Law2_BrickGeom_BrickPhys_Mortar(label='brickLaw')]
         ),
         BrickTimeStepper(),
         BrickDynamics(damping=.3),
