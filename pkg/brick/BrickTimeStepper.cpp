@@ -11,7 +11,8 @@ YADE_PLUGIN((BrickTimeStepper));
 
 namespace {
 
-	constexpr Real infinity = std::numeric_limits<Real>::infinity();
+	constexpr Real        infinity   = std::numeric_limits<Real>::infinity();
+	constexpr std::size_t mostShared = 10000; // known steps kept: in a heap that never rests, new ones keep coming
 
 	Real longest(const std::array<Real, brick::faceCount>& l) { return *std::max_element(l.begin(), l.end()); }
 	Real shortest(const std::array<Real, brick::faceCount>& l) { return *std::min_element(l.begin(), l.end()); }
@@ -48,8 +49,12 @@ namespace {
 		}
 	}
 
-	/// 1 for a face covered once at most; beyond that in quarters, so that the bound is not found anew for every small change.
-	Real atLeastOnce(Real coverage) { return std::max(1., std::ceil(4 * coverage - 1e-3) / 4); }
+	/// 1 for a face covered once at most (to round-off); beyond that up in steps, so that the bound is not found anew for every small change.
+	Real atLeastOnce(Real coverage)
+	{
+		constexpr Real stepsOfOne = 32, roundOff = 1e-9;
+		return std::max(1., std::ceil(stepsOfOne * (coverage - roundOff)) / stepsOfOne);
+	}
 
 } // namespace
 
@@ -113,6 +118,7 @@ Real BrickTimeStepper::stepOf(const Body& b, Brick& shape, const BrickMat& mater
 	if (inner)
 		for (int k = 0; k < inner->modes.count; ++k)
 			key.push_back(inner->modes.omegaSquared[k]);
+	if (shared.size() > mostShared) shared.clear();
 	auto found = shared.find(key);
 	if (found == shared.end()) {
 		const Real omegaSquared = brick::largestOmegaSquared(*shape.solid, springs, state.mass, state.inertia, inner ? &inner->modes : nullptr);
@@ -124,6 +130,8 @@ Real BrickTimeStepper::stepOf(const Body& b, Brick& shape, const BrickMat& mater
 
 void BrickTimeStepper::computeTimeStep(Scene* scene)
 {
+	if (!scene->engineByName("BrickDynamics"))
+		throw std::runtime_error("BrickTimeStepper: there is no BrickDynamics in O.engines, so no force of joints and contacts would reach the bricks; put it before NewtonIntegrator");
 	for (const auto& b : *scene->bodies) {
 		if (!b || !b->shape || !b->isDynamic()) continue;
 		Brick*      shape    = dynamic_cast<Brick*>(b->shape.get());

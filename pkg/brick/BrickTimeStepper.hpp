@@ -18,7 +18,7 @@ public:
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS(BrickTimeStepper, TimeStepper, R"(Sets :yref:`O.dt<Omega.dt>` to :yref:`safety<BrickTimeStepper.safety>` times a proven lower bound of the largest stable step: each brick alone, every face standing on the stiffest springs that the bodies near it give (twice the springs to bodies that can move), with its exact mass and inertia, its modes, and dashpots that lag by half a step. The stiffness of the inner hexahedra does not limit the step.
 
-The step never grows during a run, so that a run continued from a file takes the same steps. Should stand after the collider.)",
+The step never grows during a run, so that a run continued from a file takes the same steps; for the same reason, stand it after :yref:`InteractionLoop`, where the present contacts are known. Raises an error when :yref:`O.engines<Omega.engines>` has no :yref:`BrickDynamics`.)",
 		((Real, safety, .9, Attr::triggerPostLoad, "Fraction of the bound, in (0, 1]."))
 		((Real, limit, std::numeric_limits<Real>::infinity(), Attr::readonly, "The bound [s]; infinite before the first step."))
 		((int, limitingBrick, -1, Attr::readonly, "Id of the brick that sets it."))

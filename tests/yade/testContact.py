@@ -111,6 +111,13 @@ class ContactCase(unittest.TestCase):
 			steps.append(stepper.limit)
 		self.assertLess(steps[1], .95 * steps[0])
 
+	def test_a_loop_without_brick_dynamics_is_refused(self):
+		O.bodies.append(brick((.2, .2, .2), material=adobe()))
+		engines()
+		O.engines = O.engines[:-2] + O.engines[-1:]
+		with self.assertRaisesRegex(RuntimeError, 'BrickDynamics'):
+			O.step()
+
 	def test_deep_penetration_is_counted(self):
 		O.bodies.append(utils.wall(0, axis=2, sense=1, material=wrapper.FrictMat()))
 		O.bodies.append(brick((.2, .2, .2), center=(0, 0, .1 - 3e-3), material=adobe(), contactThickness=1e-3))
