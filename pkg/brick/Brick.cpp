@@ -37,7 +37,9 @@ namespace {
 	brick::Element elementOf(const string& name)
 	{
 		return fromName<brick::Element>(
-		        "element", name, { { "full", brick::Element::Full }, { "incompatible", brick::Element::Incompatible }, { "bbar", brick::Element::Bbar } });
+		        "element",
+		        name,
+		        { { "full", brick::Element::Full }, { "incompatible", brick::Element::Incompatible }, { "bbar", brick::Element::Bbar } });
 	}
 	brick::Inner innerOf(const string& name)
 	{
@@ -64,7 +66,8 @@ namespace {
 		if (offset > tolerance * size)
 			throw std::invalid_argument(
 			        "Brick.corners: the centre of gravity is " + std::to_string(offset)
-			        + " m from the origin; corners must be given from the centre of gravity, in principal axes (Brick.solidProperties computes them)");
+			        + " m from the origin; corners must be given from the centre of gravity, in principal axes (Brick.solidProperties computes "
+			          "them)");
 		const Matrix3r inertia = properties.inertia;
 		Real           product = 0;
 		for (int i = 0; i < 3; ++i)
@@ -79,7 +82,9 @@ namespace {
 	shared_ptr<const brick::InnerPart> sharedInnerPart(const brick::InnerPartType& type)
 	{
 		static std::map<std::vector<Real>, boost::weak_ptr<const brick::InnerPart>> inUse;
-		std::vector<Real> key { Real(int(type.deformation)), Real(int(type.element)), Real(int(type.inner)), type.thickness, type.young, type.poisson, type.density };
+		std::vector<Real>                                                           key {
+                        Real(int(type.deformation)), Real(int(type.element)), Real(int(type.inner)), type.thickness, type.young, type.poisson, type.density
+		};
 		for (const auto& c : type.corners)
 			key.insert(key.end(), c.data(), c.data() + 3);
 		auto& entry = inUse[key];
@@ -97,7 +102,7 @@ void Brick::postLoad(Brick&)
 	innerOf(inner);
 	if (segments < 1 || segments > brick::largestSegments)
 		throw std::invalid_argument("Brick.segments: " + std::to_string(segments) + "; allowed is 1 to " + std::to_string(brick::largestSegments));
-	checkDeformation();
+	keepDeformation();
 	inside.reset();
 	if (corners.empty()) return;
 
@@ -113,13 +118,23 @@ void Brick::postLoad(Brick&)
 	}
 }
 
-void Brick::checkDeformation() const
+/// What the inner part depends on besides corners and material.
+string Brick::innerAttributes() const { return brick::message(deformation, ", ", element, ", ", inner, ", r = ", contactThickness); }
+
+/// The amplitudes belong to the modes that they were made with: a brick that is deformed must keep these, one that is not may begin anew.
+void Brick::keepDeformation()
 {
-	const std::size_t modes = deformation == "rigid" ? 0 : deformation == "uniform" ? 6 : 18;
-	if (!amplitudes.empty() && amplitudes.size() != modes)
-		throw std::invalid_argument(
-		        "Brick.deformation: cannot become '" + deformation + "' while the brick is deformed (" + std::to_string(amplitudes.size())
-		        + " modes in motion); make a new brick instead");
+	if (insideAs.empty() || insideAs == innerAttributes()) return;
+	for (const auto& u : displacement)
+		if (u != Vector3r::Zero())
+			throw std::invalid_argument(brick::message(
+			        "Brick: a brick that is deformed cannot change from (",
+			        insideAs,
+			        ") to (",
+			        innerAttributes(),
+			        "); it could before its first step, or make a new one"));
+	amplitudes.clear(), rates.clear(), displacement.clear(), displacementRate.clear();
+	insideAs.clear();
 }
 
 const brick::InnerPart* Brick::innerPart(const BrickMat& material)
@@ -138,6 +153,7 @@ const brick::InnerPart* Brick::innerPart(const BrickMat& material)
 	type.density     = material.density;
 	inside           = sharedInnerPart(type);
 	insideMaterial   = wanted;
+	insideAs         = innerAttributes();
 	amplitudes.resize(inside->modes.count, 0);
 	rates.resize(inside->modes.count, 0);
 	displacement.resize(brick::nodeCount, Vector3r::Zero());
@@ -152,10 +168,10 @@ void Brick::advance(const brick::Nodes& forces, Real dampingRatio, Real localDam
 	for (int a = 0; a < brick::nodeCount; ++a)
 		f.segment<3>(3 * a) = forces[a];
 	for (int k = 0; k < modes.count; ++k) {
-		const Real load      = modes.shapes.col(k).dot(f);
-		const auto next      = brick::advanced({ amplitudes[k], rates[k] }, load, modes.omegaSquared[k], dampingRatio, localDamping, dt);
-		amplitudes[k]        = next.amplitude;
-		rates[k]             = next.rate;
+		const Real load = modes.shapes.col(k).dot(f);
+		const auto next = brick::advanced({ amplitudes[k], rates[k] }, load, modes.omegaSquared[k], dampingRatio, localDamping, dt);
+		amplitudes[k]   = next.amplitude;
+		rates[k]        = next.rate;
 		u += next.amplitude * modes.shapes.col(k);
 		rate += next.rate * modes.shapes.col(k);
 	}

@@ -17,8 +17,8 @@ namespace yade {
 class Brick : public Shape {
 public:
 	// Derived from the attributes by postLoad; null as long as no corners are given.
-	shared_ptr<const brick::Hexahedron>       solid;
-	std::array<Real, brick::faceCount>        contactLength { 0, 0, 0, 0, 0, 0 };
+	shared_ptr<const brick::Hexahedron> solid;
+	std::array<Real, brick::faceCount>  contactLength { 0, 0, 0, 0, 0, 0 };
 
 	bool             isDeformable() const { return deformation != "rigid"; }
 	brick::Placement placement(const Vector3r& position, const State& state) const;
@@ -32,11 +32,12 @@ public:
 	void advance(const brick::Nodes& forces, Real dampingRatio, Real localDamping, Real dt);
 
 	/// Deformed corners in world axes, in the order of `corners` [m].
-	std::vector<Vector3r> worldCorners(const shared_ptr<State>& state) const;
-	Vector6r              stress() const;
-	Real                  volume() const;
+	std::vector<Vector3r>      worldCorners(const shared_ptr<State>& state) const;
+	Vector6r                   stress() const;
+	Real                       volume() const;
 	static boost::python::dict solidProperties(const std::vector<Vector3r>& corners);
-	static Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> stiffness(const std::vector<Vector3r>& nodes, Real young, Real poisson, const string& element);
+	static Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>
+	stiffness(const std::vector<Vector3r>& nodes, Real young, Real poisson, const string& element);
 
 	void postLoad(Brick&);
 	// clang-format off
@@ -71,7 +72,9 @@ Limitations: small strain in the co-rotated frame; inertia forces of the rotatio
 private:
 	shared_ptr<const brick::InnerPart> inside;
 	std::array<Real, 3>                insideMaterial { 0, 0, 0 }; // young, poisson, density that `inside` was made for
-	void                               checkDeformation() const;
+	string                             insideAs;                   // and the attributes
+	string                             innerAttributes() const;
+	void                               keepDeformation();
 };
 REGISTER_SERIALIZABLE(Brick);
 
@@ -79,7 +82,11 @@ class Bo1_Brick_Aabb : public BoundFunctor {
 public:
 	void go(const shared_ptr<Shape>&, shared_ptr<Bound>&, const Se3r&, const Body*) override;
 	FUNCTOR1D(Brick);
-	YADE_CLASS_BASE_DOC(Bo1_Brick_Aabb, BoundFunctor, "Axis-aligned box around the deformed corners of a :yref:`Brick`. With :yref:`InsertionSortCollider.verletDist` > 0, :yref:`BrickDynamics` asks for new boxes when a brick turns or bulges out of its box.");
+	YADE_CLASS_BASE_DOC(
+	        Bo1_Brick_Aabb,
+	        BoundFunctor,
+	        "Axis-aligned box around the deformed corners of a :yref:`Brick`. With :yref:`InsertionSortCollider.verletDist` > 0, :yref:`BrickDynamics` "
+	        "asks for new boxes when a brick turns or bulges out of its box.");
 };
 REGISTER_SERIALIZABLE(Bo1_Brick_Aabb);
 

@@ -5,8 +5,8 @@
 
 namespace yade {
 
-YADE_PLUGIN((BrickGeom)(BrickPhys)(Ig2_Brick_Brick_BrickGeom)(Ig2_Wall_Brick_BrickGeom)(Ig2_Box_Brick_BrickGeom)(Ip2_BrickMat_BrickMat_BrickPhys)(
-        Ip2_FrictMat_BrickMat_BrickPhys)(Law2_BrickGeom_BrickPhys_Mortar));
+YADE_PLUGIN((
+        BrickGeom)(BrickPhys)(Ig2_Brick_Brick_BrickGeom)(Ig2_Wall_Brick_BrickGeom)(Ig2_Box_Brick_BrickGeom)(Ip2_BrickMat_BrickMat_BrickPhys)(Ip2_FrictMat_BrickMat_BrickPhys)(Law2_BrickGeom_BrickPhys_Mortar));
 
 // --------------------------------------------------------------------------------------------------------------- sides
 
@@ -146,7 +146,7 @@ bool Ig2_Box_Brick_BrickGeom::go(
 
 brick::PairSprings pairSprings(const Material& material0, bool support, const BrickMat& material1)
 {
-	brick::PairSprings s;
+	brick::PairSprings      s;
 	const brick::Elasticity elastic1 { material1.young, material1.poisson };
 	s.normalCompliance[1] = elastic1.normalCompliance();
 	s.shearCompliance[1]  = elastic1.shearCompliance();
@@ -169,9 +169,9 @@ namespace {
 
 	void makePhys(const Interaction& I, Scene* scene, shared_ptr<IPhys>& out)
 	{
-		const BrickGeom& geom   = static_cast<const BrickGeom&>(*I.geom);
-		const auto&      first  = Body::byId(geom.reversed ? I.getId2() : I.getId1(), scene);
-		const auto&      second = Body::byId(geom.reversed ? I.getId1() : I.getId2(), scene);
+		const BrickGeom&      geom   = static_cast<const BrickGeom&>(*I.geom);
+		const auto&           first  = Body::byId(geom.reversed ? I.getId2() : I.getId1(), scene);
+		const auto&           second = Body::byId(geom.reversed ? I.getId1() : I.getId2(), scene);
 		shared_ptr<BrickPhys> phys(new BrickPhys);
 		phys->springs                = pairSprings(*first->material, geom.sides[0].support, static_cast<const BrickMat&>(*second->material));
 		phys->tangensOfFrictionAngle = phys->springs.tanFriction;
@@ -212,7 +212,8 @@ namespace {
 	void needStep(const shared_ptr<BrickGeom>& geom)
 	{
 		if (!geom) throw std::invalid_argument("geom is None; it must be the BrickGeom of the same interaction");
-		if (!geom->sides[0].solid) throw std::runtime_error("The geometry of this joint is known after the first step: run O.step() before asking for it.");
+		if (!geom->sides[0].solid)
+			throw std::runtime_error("The geometry of this joint is known after the first step: run O.step() before asking for it.");
 	}
 
 } // namespace

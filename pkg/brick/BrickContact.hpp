@@ -77,7 +77,8 @@ REGISTER_SERIALIZABLE(BrickPhys);
 
 class Ig2_Brick_Brick_BrickGeom : public IGeomFunctor {
 public:
-	bool go(const shared_ptr<Shape>&, const shared_ptr<Shape>&, const State&, const State&, const Vector3r&, const bool&, const shared_ptr<Interaction>&) override;
+	bool go(const shared_ptr<Shape>&, const shared_ptr<Shape>&, const State&, const State&, const Vector3r&, const bool&, const shared_ptr<Interaction>&)
+	        override;
 	FUNCTOR2D(Brick, Brick);
 	DEFINE_FUNCTOR_ORDER_2D(Brick, Brick);
 	YADE_CLASS_BASE_DOC(Ig2_Brick_Brick_BrickGeom, IGeomFunctor, "Joint or contact of two bricks in any position.");
@@ -86,19 +87,29 @@ REGISTER_SERIALIZABLE(Ig2_Brick_Brick_BrickGeom);
 
 class Ig2_Wall_Brick_BrickGeom : public IGeomFunctor {
 public:
-	bool go(const shared_ptr<Shape>&, const shared_ptr<Shape>&, const State&, const State&, const Vector3r&, const bool&, const shared_ptr<Interaction>&) override;
+	bool go(const shared_ptr<Shape>&, const shared_ptr<Shape>&, const State&, const State&, const Vector3r&, const bool&, const shared_ptr<Interaction>&)
+	        override;
 	FUNCTOR2D(Wall, Brick);
 	DEFINE_FUNCTOR_ORDER_2D(Wall, Brick);
-	YADE_CLASS_BASE_DOC(Ig2_Wall_Brick_BrickGeom, IGeomFunctor, "Joint or contact of a brick with a :yref:`Wall`. The wall is rigid: the brick's segments and springs count alone. A wall of sense 0 is touched from the side on which the brick's centre is.");
+	YADE_CLASS_BASE_DOC(
+	        Ig2_Wall_Brick_BrickGeom,
+	        IGeomFunctor,
+	        "Joint or contact of a brick with a :yref:`Wall`. The wall is rigid: the brick's segments and springs count alone. A wall of sense 0 is "
+	        "touched from the side on which the brick's centre is.");
 };
 REGISTER_SERIALIZABLE(Ig2_Wall_Brick_BrickGeom);
 
 class Ig2_Box_Brick_BrickGeom : public IGeomFunctor {
 public:
-	bool go(const shared_ptr<Shape>&, const shared_ptr<Shape>&, const State&, const State&, const Vector3r&, const bool&, const shared_ptr<Interaction>&) override;
+	bool go(const shared_ptr<Shape>&, const shared_ptr<Shape>&, const State&, const State&, const Vector3r&, const bool&, const shared_ptr<Interaction>&)
+	        override;
 	FUNCTOR2D(Box, Brick);
 	DEFINE_FUNCTOR_ORDER_2D(Box, Brick);
-	YADE_CLASS_BASE_DOC(Ig2_Box_Brick_BrickGeom, IGeomFunctor, "Joint or contact of a brick with a :yref:`Box`, which is a rigid support or platen: the brick's segments and springs count alone, so a corner of a box that points into the middle of a brick's face is felt only through the brick's segments around it.");
+	YADE_CLASS_BASE_DOC(
+	        Ig2_Box_Brick_BrickGeom,
+	        IGeomFunctor,
+	        "Joint or contact of a brick with a :yref:`Box`, which is a rigid support or platen: the brick's segments and springs count alone, so a corner "
+	        "of a box that points into the middle of a brick's face is felt only through the brick's segments around it.");
 };
 REGISTER_SERIALIZABLE(Ig2_Box_Brick_BrickGeom);
 
@@ -106,7 +117,10 @@ class Ip2_BrickMat_BrickMat_BrickPhys : public IPhysFunctor {
 public:
 	void go(const shared_ptr<Material>&, const shared_ptr<Material>&, const shared_ptr<Interaction>&) override;
 	FUNCTOR2D(BrickMat, BrickMat);
-	YADE_CLASS_BASE_DOC(Ip2_BrickMat_BrickMat_BrickPhys, IPhysFunctor, "Springs of an ordinary contact, eqs. (3), (4), (16); the lower of the two friction angles. Joints are made by :yref:`MortarJoints`.");
+	YADE_CLASS_BASE_DOC(
+	        Ip2_BrickMat_BrickMat_BrickPhys,
+	        IPhysFunctor,
+	        "Springs of an ordinary contact, eqs. (3), (4), (16); the lower of the two friction angles. Joints are made by :yref:`MortarJoints`.");
 };
 REGISTER_SERIALIZABLE(Ip2_BrickMat_BrickMat_BrickPhys);
 
@@ -114,7 +128,10 @@ class Ip2_FrictMat_BrickMat_BrickPhys : public IPhysFunctor {
 public:
 	void go(const shared_ptr<Material>&, const shared_ptr<Material>&, const shared_ptr<Interaction>&) override;
 	FUNCTOR2D(FrictMat, BrickMat);
-	YADE_CLASS_BASE_DOC(Ip2_FrictMat_BrickMat_BrickPhys, IPhysFunctor, "The same for a support (:yref:`Wall` or :yref:`Box`) of plain :yref:`FrictMat`: only its friction angle is used.");
+	YADE_CLASS_BASE_DOC(
+	        Ip2_FrictMat_BrickMat_BrickPhys,
+	        IPhysFunctor,
+	        "The same for a support (:yref:`Wall` or :yref:`Box`) of plain :yref:`FrictMat`: only its friction angle is used.");
 };
 REGISTER_SERIALIZABLE(Ip2_FrictMat_BrickMat_BrickPhys);
 

@@ -9,7 +9,10 @@ YADE_PLUGIN((BrickDynamics));
 
 namespace {
 
-	[[noreturn]] void refuse(const Body& b, const string& problem) { throw std::invalid_argument("Body #" + std::to_string(b.getId()) + " (Brick): " + problem); }
+	[[noreturn]] void refuse(const Body& b, const string& problem)
+	{
+		throw std::invalid_argument("Body #" + std::to_string(b.getId()) + " (Brick): " + problem);
+	}
 
 	const BrickMat& checkedMaterial(const Body& b, const Brick& shape)
 	{

@@ -24,10 +24,10 @@ Raises an error, naming the body, when a brick lacks what it needs or a force is
 
 private:
 	struct Member {
-		Body*           body;
-		Brick*          brick;        // null for a support
-		Real            dampingRatio; // of the modes
-		brick::Loads    total;
+		Body*        body;
+		Brick*       brick;        // null for a support
+		Real         dampingRatio; // of the modes
+		brick::Loads total;
 	};
 	std::vector<Member> members;
 

@@ -29,7 +29,7 @@ namespace {
 		Real longest = 0;
 		for (const auto& spot : geom.spots) {
 			const int face0 = spot.owner == 0 ? spot.ownerFace : spot.otherFace, face1 = spot.owner == 0 ? spot.otherFace : spot.ownerFace;
-			longest         = std::max(longest, dashpotTime(phys.springs.at((*geom.sides[0].contactLength)[face0], (*geom.sides[1].contactLength)[face1])));
+			longest = std::max(longest, dashpotTime(phys.springs.at((*geom.sides[0].contactLength)[face0], (*geom.sides[1].contactLength)[face1])));
 		}
 		return longest;
 	}
@@ -68,8 +68,8 @@ BrickTimeStepper::Partners BrickTimeStepper::partnersOf(const Body& b, const Bri
 	// at the least its like, which it may meet any time
 	const Real l = shortest(shape.contactLength), l1 = longest(shape.contactLength);
 	Partners   p;
-	p.normal      = { l * elasticityOf(material).normalCompliance(), infinity };
-	p.shear       = { l * elasticityOf(material).shearCompliance(), infinity };
+	p.normal = { l * elasticityOf(material).normalCompliance(), infinity };
+	p.shear  = { l * elasticityOf(material).shearCompliance(), infinity };
 	p.coverage.fill(0);
 	p.dashpotTime = dashpotTime(pairSprings(material, false, material).at(l1, l1));
 	for (const auto& item : b.intrs) {
@@ -85,8 +85,8 @@ BrickTimeStepper::Partners BrickTimeStepper::partnersOf(const Body& b, const Bri
 			normal += shortest(otherShape->contactLength) * elasticityOf(*otherMat).normalCompliance();
 			shear += shortest(otherShape->contactLength) * elasticityOf(*otherMat).shearCompliance();
 		}
-		p.normal[held] = std::min(p.normal[held], normal);
-		p.shear[held]  = std::min(p.shear[held], shear);
+		p.normal[held]   = std::min(p.normal[held], normal);
+		p.shear[held]    = std::min(p.shear[held], shear);
 		const auto* geom = dynamic_cast<const BrickGeom*>(item.second->geom.get());
 		if (!phys || !geom || !geom->sides[0].solid) continue;
 		p.dashpotTime = std::max(p.dashpotTime, dashpotTime(*geom, *phys));
@@ -102,13 +102,13 @@ Real BrickTimeStepper::stepOf(const Body& b, Brick& shape, const BrickMat& mater
 	const auto known_ = known.find(b.getId());
 	if (known_ != known.end() && known_->second.partners == partners) return known_->second.step;
 
-	const State&            state = *b.state;
-	const brick::InnerPart* inner = shape.innerPart(material);
+	const State&                                     state = *b.state;
+	const brick::InnerPart*                          inner = shape.innerPart(material);
 	std::array<brick::FaceSprings, brick::faceCount> springs;
 	for (int f = 0; f < brick::faceCount; ++f) {
 		const Real l = shape.contactLength[f], n = l * elasticityOf(material).normalCompliance(), s = l * elasticityOf(material).shearCompliance();
-		springs[f]   = { partners.coverage[f] * std::max(2 / (n + partners.normal[0]), 1 / (n + partners.normal[1])),
-			         partners.coverage[f] * std::max(2 / (s + partners.shear[0]), 1 / (s + partners.shear[1])) };
+		springs[f] = { partners.coverage[f] * std::max(2 / (n + partners.normal[0]), 1 / (n + partners.normal[1])),
+			       partners.coverage[f] * std::max(2 / (s + partners.shear[0]), 1 / (s + partners.shear[1])) };
 	}
 	std::vector<Real> key { state.mass, state.inertia[0], state.inertia[1], state.inertia[2], partners.dashpotTime };
 	for (const auto& f : springs)
@@ -131,7 +131,8 @@ Real BrickTimeStepper::stepOf(const Body& b, Brick& shape, const BrickMat& mater
 void BrickTimeStepper::computeTimeStep(Scene* scene)
 {
 	if (!scene->engineByName("BrickDynamics"))
-		throw std::runtime_error("BrickTimeStepper: there is no BrickDynamics in O.engines, so no force of joints and contacts would reach the bricks; put it before NewtonIntegrator");
+		throw std::runtime_error("BrickTimeStepper: there is no BrickDynamics in O.engines, so no force of joints and contacts would reach the bricks; "
+		                         "put it before NewtonIntegrator");
 	for (const auto& b : *scene->bodies) {
 		if (!b || !b->shape || !b->isDynamic()) continue;
 		Brick*      shape    = dynamic_cast<Brick*>(b->shape.get());

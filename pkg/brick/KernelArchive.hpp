@@ -14,14 +14,16 @@ namespace serialization {
 	template <class A> void serialize(A& ar, brick::PairSprings& s, unsigned)
 	{
 		for (int i = 0; i < 2; ++i)
-			ar& make_nvp("normalCompliance", s.normalCompliance[i]) & make_nvp("shearCompliance", s.shearCompliance[i]) & make_nvp("density", s.density[i]);
+			ar& make_nvp("normalCompliance", s.normalCompliance[i]) & make_nvp("shearCompliance", s.shearCompliance[i])
+			        & make_nvp("density", s.density[i]);
 		ar& make_nvp("mortarNormal", s.mortarNormal) & make_nvp("mortarShear", s.mortarShear);
 		ar& make_nvp("normalDamping", s.normalDamping) & make_nvp("shearDamping", s.shearDamping) & make_nvp("tanFriction", s.tanFriction);
 	}
 
 	template <class A> void serialize(A& ar, brick::SpotSprings& s, unsigned)
 	{
-		ar& make_nvp("normal", s.normal) & make_nvp("shear", s.shear) & make_nvp("normalDashpot", s.normalDashpot) & make_nvp("shearDashpot", s.shearDashpot);
+		ar& make_nvp("normal", s.normal) & make_nvp("shear", s.shear) & make_nvp("normalDashpot", s.normalDashpot)
+		        & make_nvp("shearDashpot", s.shearDashpot);
 	}
 
 	template <class A> void serialize(A& ar, brick::MortarStrength& s, unsigned)

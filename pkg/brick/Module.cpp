@@ -78,8 +78,8 @@ namespace {
 		if (!made) refuse("its class " + className + " is another than the plugin's");
 		Class& object = *made;
 		object.pySetAttr(attribute, py::object(first));
-		const bool written       = object.*member == first;
-		object.*member           = second;
+		const bool written        = object.*member == first;
+		object.*member            = second;
 		const py::dict attributes = object.pyDict();
 		if (!written || py::extract<Member>(attributes[attribute])() != second)
 			refuse("attribute " + className + "." + attribute + " is not where the plugin expects it");
@@ -178,8 +178,15 @@ namespace {
 
 extern "C" __attribute__((visibility("default"))) PyObject* PyInit__core()
 {
-	static PyModuleDef definition
-	        = { PyModuleDef_HEAD_INIT, "_core", "Names of the classes of yade_brick; what they were compiled with.", -1, nullptr, nullptr, nullptr, nullptr, nullptr };
+	static PyModuleDef definition = { PyModuleDef_HEAD_INIT,
+		                          "_core",
+		                          "Names of the classes of yade_brick; what they were compiled with.",
+		                          -1,
+		                          nullptr,
+		                          nullptr,
+		                          nullptr,
+		                          nullptr,
+		                          nullptr };
 	try {
 		const boost::python::list names = yade::load();
 		PyObject* const           self  = PyModule_Create(&definition);

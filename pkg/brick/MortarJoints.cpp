@@ -22,8 +22,9 @@ namespace {
 	{
 		if (!a || !b || a == b) return a == b;
 		auto same = [](Real x, Real y) { return x == y || (std::isnan(x) && std::isnan(y)); };
-		return same(a->young, b->young) && same(a->poisson, b->poisson) && a->thickness == b->thickness && a->tensileStrength == b->tensileStrength && a->cohesion == b->cohesion
-		        && a->frictionAngle == b->frictionAngle && a->compressiveStrength == b->compressiveStrength && a->Cs == b->Cs;
+		return same(a->young, b->young) && same(a->poisson, b->poisson) && a->thickness == b->thickness && a->tensileStrength == b->tensileStrength
+		        && a->cohesion == b->cohesion && a->frictionAngle == b->frictionAngle && a->compressiveStrength == b->compressiveStrength
+		        && a->Cs == b->Cs;
 	}
 
 	const BrickMat& brickMaterial(const Body& b)
@@ -41,7 +42,9 @@ namespace {
 		if (!brickOf(first)) return second_;
 		const auto& first_ = brickMaterial(first).mortar;
 		if (!sameMortar(first_, second_))
-			throw std::invalid_argument("MortarJoints: the materials of bricks " + named(first) + " and " + named(second) + " have different mortar; give the mortar of this joint to MortarJoints");
+			throw std::invalid_argument(
+			        "MortarJoints: the materials of bricks " + named(first) + " and " + named(second)
+			        + " have different mortar; give the mortar of this joint to MortarJoints");
 		return first_;
 	}
 
@@ -52,7 +55,9 @@ namespace {
 		if (mortar.thickness > 0 && (std::isnan(mortar.young) || std::isnan(mortar.poisson)) && brickOf(first)) {
 			const BrickMat& other = brickMaterial(first);
 			if (other.young != m.young || other.poisson != m.poisson)
-				throw std::invalid_argument("MortarJoints: bricks " + named(first) + " and " + named(second) + " differ in elasticity, so Mortar.young and Mortar.poisson must be given");
+				throw std::invalid_argument(
+				        "MortarJoints: bricks " + named(first) + " and " + named(second)
+				        + " differ in elasticity, so Mortar.young and Mortar.poisson must be given");
 		}
 		return { std::isnan(mortar.young) ? m.young : mortar.young, std::isnan(mortar.poisson) ? m.poisson : mortar.poisson };
 	}
@@ -65,7 +70,8 @@ namespace {
 	}
 
 	/// The largest of the overlaps between faces of two bodies.
-	std::optional<brick::Joint> largestOverlap(const brick::Side& side0, const brick::Side& side1, Real tolerance, const Vector3r& direction, std::array<int, 2>& faces)
+	std::optional<brick::Joint>
+	largestOverlap(const brick::Side& side0, const brick::Side& side1, Real tolerance, const Vector3r& direction, std::array<int, 2>& faces)
 	{
 		std::optional<brick::Joint> best;
 		Real                        bestArea = 0;
@@ -86,8 +92,14 @@ namespace {
 
 	void checkStrengths(const Mortar& m)
 	{
-		for (const auto& item : { std::make_pair("tensileStrength", m.tensileStrength), std::make_pair("cohesion", m.cohesion), std::make_pair("frictionAngle", m.frictionAngle), std::make_pair("compressiveStrength", m.compressiveStrength) })
-			if (std::isnan(item.second)) throw std::invalid_argument(string("Mortar.") + item.first + " is not given; a joint needs all four strengths (a large value for a mode in which it never fails)");
+		for (const auto& item : { std::make_pair("tensileStrength", m.tensileStrength),
+		                          std::make_pair("cohesion", m.cohesion),
+		                          std::make_pair("frictionAngle", m.frictionAngle),
+		                          std::make_pair("compressiveStrength", m.compressiveStrength) })
+			if (std::isnan(item.second))
+				throw std::invalid_argument(
+				        string("Mortar.") + item.first
+				        + " is not given; a joint needs all four strengths (a large value for a mode in which it never fails)");
 	}
 
 	void checkThickness(const Mortar& mortar, const Body& b, const brick::Side& side, int face)
@@ -95,8 +107,8 @@ namespace {
 		const Real length = (*side.contactLength)[face];
 		if (!side.support && mortar.thickness > 2 * length)
 			throw std::invalid_argument(
-			        "Mortar.thickness: " + std::to_string(mortar.thickness) + " m, but the contact part of brick " + named(b) + " is " + std::to_string(length)
-			        + " m thick; allowed is at most twice that (eqs. (2), (16))");
+			        "Mortar.thickness: " + std::to_string(mortar.thickness) + " m, but the contact part of brick " + named(b) + " is "
+			        + std::to_string(length) + " m thick; allowed is at most twice that (eqs. (2), (16))");
 	}
 
 	struct Box3 {
@@ -151,7 +163,7 @@ void MortarJoints::join(const shared_ptr<Body>& a, const shared_ptr<Body>& b)
 	shared_ptr<const brick::Hexahedron> box;
 	if (const Box* shape = dynamic_cast<const Box*>(first.shape.get())) box.reset(new brick::Hexahedron(brick::cuboidCorners(2 * shape->extents)));
 	const brick::Side           side0 = sideOf(first, box, second.state->pos), side1 = sideOf(second, nullptr, second.state->pos);
-	const Real                  gap   = std::isnan(tolerance) ? relativeTolerance * diagonal(*brickOf(second)) : tolerance;
+	const Real                  gap = std::isnan(tolerance) ? relativeTolerance * diagonal(*brickOf(second)) : tolerance;
 	std::array<int, 2>          faces { 0, 0 };
 	std::optional<brick::Joint> joint = largestOverlap(side0, side1, gap, normal, faces);
 	if (!joint) return;
@@ -191,7 +203,8 @@ void MortarJoints::action()
 		const Brick* shape = brickOf(*b);
 		boxes.push_back(bounds(*b, std::isnan(tolerance) ? (shape ? relativeTolerance * diagonal(*shape) : 0) : tolerance));
 	}
-	std::sort(boxes.begin(), boxes.end(), [](const Box3& a, const Box3& b) { return a.lower[0] < b.lower[0] || (a.lower[0] == b.lower[0] && a.id < b.id); });
+	std::sort(
+	        boxes.begin(), boxes.end(), [](const Box3& a, const Box3& b) { return a.lower[0] < b.lower[0] || (a.lower[0] == b.lower[0] && a.id < b.id); });
 	for (std::size_t i = 0; i < boxes.size(); ++i)
 		for (std::size_t j = i + 1; j < boxes.size() && boxes[j].lower[0] <= boxes[i].upper[0]; ++j) {
 			if ((boxes[i].lower.array() > boxes[j].upper.array()).any() || (boxes[j].lower.array() > boxes[i].upper.array()).any()) continue;

@@ -14,11 +14,13 @@ Accelerogram::Accelerogram(Real interval, std::vector<Vector3r> given, Real star
         , start(start)
         , samples(std::move(given))
 {
-	if (!(interval > 0) || !std::isfinite(interval)) throw std::invalid_argument(message("interval between samples: ", interval, " s; must be finite and > 0"));
+	if (!(interval > 0) || !std::isfinite(interval))
+		throw std::invalid_argument(message("interval between samples: ", interval, " s; must be finite and > 0"));
 	if (!std::isfinite(start)) throw std::invalid_argument(message("time of the first sample: ", start, " s; must be finite"));
 	if (samples.size() < 2) throw std::invalid_argument(message(samples.size(), " samples of acceleration; at least 2 are needed"));
 	for (std::size_t i = 0; i < samples.size(); ++i)
-		if (!samples[i].allFinite()) throw std::invalid_argument(message("acceleration sample ", i, " is (", samples[i].transpose(), ") m/s2; must be finite"));
+		if (!samples[i].allFinite())
+			throw std::invalid_argument(message("acceleration sample ", i, " is (", samples[i].transpose(), ") m/s2; must be finite"));
 	velocities.assign(1, Vector3r::Zero());
 	displacements.assign(1, Vector3r::Zero());
 	for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
@@ -58,7 +60,8 @@ Vector3r Accelerogram::displacement(Real time) const
 	if (time > end()) return displacements.back() + (time - end()) * velocities.back();
 	Real              since;
 	const std::size_t i = at(time, since);
-	return displacements[i] + since * velocities[i] + since * since / 2 * samples[i] + since * since * since / (6 * interval) * (samples[i + 1] - samples[i]);
+	return displacements[i] + since * velocities[i] + since * since / 2 * samples[i]
+	        + since * since * since / (6 * interval) * (samples[i + 1] - samples[i]);
 }
 
 } // namespace brick

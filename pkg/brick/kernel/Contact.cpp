@@ -12,8 +12,8 @@ namespace {
 
 	// vertex: place in the other body's frame, natural coordinates on the owner's face, height over each face of the other body
 	constexpr int naturalEntry = 3, heightEntry = 5;
-	using Patch                = ClippedPolygon<11, 2 * faceCount>;
-	using Heights              = Eigen::Matrix<Real, faceCount, 1>;
+	using Patch   = ClippedPolygon<11, 2 * faceCount>;
+	using Heights = Eigen::Matrix<Real, faceCount, 1>;
 
 	/// Where a segment can press on several faces of the other body, it is divided into the parts nearest to each, unless it is nearly perpendicular to one:
 	/// that one's part would press with the square of this cosine, and stacked bricks that lean a little would have the segments at their rims divided for nothing.
@@ -144,8 +144,8 @@ namespace {
 			const int n = view.owner.segments;
 			for (int column = 0; column <= n; ++column) {
 				const Real     xi = 2. * column / n - 1, eta = 2. * row / n - 1;
-				const Vector4r w = bilinear(xi, eta);
-				Vector3r       x = Vector3r::Zero();
+				const Vector4r w       = bilinear(xi, eta);
+				Vector3r       x       = Vector3r::Zero();
 				Heights        heights = Heights::Zero();
 				for (int a = 0; a < 4; ++a)
 					x += w[a] * view.corners[faceNodes[face][a]], heights += w[a] * cornerHeights[a];
@@ -155,7 +155,13 @@ namespace {
 			}
 		}
 
-		void addSpot(int segment, const Patch::Vertex& a, const Patch::Vertex& b, const Patch::Vertex& c, const Patch::Vertex& d, std::vector<ContactSpot>& spots) const
+		void
+		addSpot(int                       segment,
+		        const Patch::Vertex&      a,
+		        const Patch::Vertex&      b,
+		        const Patch::Vertex&      c,
+		        const Patch::Vertex&      d,
+		        std::vector<ContactSpot>& spots) const
 		{
 			const Heights highest = a.tail<faceCount>().cwiseMax(b.tail<faceCount>()).cwiseMax(c.tail<faceCount>()).cwiseMax(d.tail<faceCount>());
 			const Heights lowest  = a.tail<faceCount>().cwiseMin(b.tail<faceCount>()).cwiseMin(c.tail<faceCount>()).cwiseMin(d.tail<faceCount>());
@@ -216,12 +222,12 @@ namespace {
 
 		static constexpr int anyFace = -1;
 
-		const View& view;
-		int         ownerIndex, face;
-		Real        weight;
-		Heights     cosine;        ///< between the owner's inward normal and the outward normal of each face of the other body
-		Heights     cornerHeights[4]; ///< over the mean planes of the other body's faces
-		std::array<bool, faceCount> bulges; ///< faces of the other body whose bulging matters
+		const View&                 view;
+		int                         ownerIndex, face;
+		Real                        weight;
+		Heights                     cosine;           ///< between the owner's inward normal and the outward normal of each face of the other body
+		Heights                     cornerHeights[4]; ///< over the mean planes of the other body's faces
+		std::array<bool, faceCount> bulges;           ///< faces of the other body whose bulging matters
 	};
 
 	void searchSide(const View& view, int ownerIndex, Real weight, std::vector<ContactSpot>& spots)
@@ -296,7 +302,7 @@ void contactLoads(
 	const std::array<const Side*, 2> sides { &side0, &side1 };
 	loads = { Loads(), Loads() };
 	scratch.clear();
-	std::size_t cursor      = 0;
+	std::size_t cursor = 0;
 	for (const auto& spot : spots) {
 		const Side &      owner = *sides[spot.owner], &other = *sides[!spot.owner];
 		const Placement & mine = owner.placement, &its = other.placement;
@@ -305,7 +311,8 @@ void contactLoads(
 		const int         face[2] = { spot.owner == 0 ? spot.ownerFace : spot.otherFace, spot.owner == 0 ? spot.otherFace : spot.ownerFace };
 		const SpotSprings k       = pair.at((*side0.contactLength)[face[0]], (*side1.contactLength)[face[1]]);
 
-		const Vector3r velocity = pointVelocity(mine, fromMine, spot.ownerFace, spot.ownerWeights) - pointVelocity(its, fromIts, spot.otherFace, spot.otherWeights);
+		const Vector3r velocity
+		        = pointVelocity(mine, fromMine, spot.ownerFace, spot.ownerWeights) - pointVelocity(its, fromIts, spot.otherFace, spot.otherWeights);
 		const Real     leaving  = velocity.dot(n);
 		const Vector3r sliding  = velocity - leaving * n;
 		const Real     pressure = std::max(0., k.normal * spot.penetration - k.normalDashpot * leaving);

@@ -10,7 +10,7 @@ namespace brick {
 
 /// What the deformation of a brick depends on.
 struct InnerPartType {
-	Nodes       corners;                             ///< of the brick, body axes [m]
+	Nodes       corners; ///< of the brick, body axes [m]
 	Deformation deformation = Deformation::Trilinear;
 	Element     element     = Element::Full;
 	Inner       inner       = Inner::Inset;
@@ -19,7 +19,7 @@ struct InnerPartType {
 };
 
 struct InnerPart {
-	Nodes nodes;           ///< of the inner hexahedron at rest, body axes [m]
+	Nodes nodes; ///< of the inner hexahedron at rest, body axes [m]
 	Real  young, poisson;
 	Modes modes;
 

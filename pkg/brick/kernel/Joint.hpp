@@ -21,17 +21,17 @@
 namespace brick {
 
 struct JointSegment {
-	std::array<Vector4r, 2> weights;                   ///< of the face's nodes on both sides
-	Real                    area  = 0;                 ///< [m2]
+	std::array<Vector4r, 2> weights;   ///< of the face's nodes on both sides
+	Real                    area  = 0; ///< [m2]
 	SegmentState            state = SegmentState::Intact;
 	Vector3r                slip { Vector3r::Zero() }; ///< frame of side 0 [m]; zero while intact
 };
 
 struct JointFace {
-	int                     face = -1;               ///< of the brick; -1 on a support
+	int                     face = -1;                ///< of the brick; -1 on a support
 	std::array<int, 4>      nodes { -1, -1, -1, -1 }; ///< -1 on a support, whose points do not move against it
-	std::array<Vector3r, 4> corners;                 ///< at rest, body axes [m]; of the second face: moved to where every segment is restGap wide
-	Vector3r                normal;                  ///< outward, body axes
+	std::array<Vector3r, 4> corners;                  ///< at rest, body axes [m]; of the second face: moved to where every segment is restGap wide
+	Vector3r                normal;                   ///< outward, body axes
 };
 
 struct Joint {

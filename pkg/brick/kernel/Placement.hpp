@@ -22,11 +22,11 @@ struct Placement {
 
 /// One of the two bodies of a joint or contact.
 struct Side {
-	const Hexahedron*           solid         = nullptr; ///< rest geometry
-	const std::array<Real, 6>*  contactLength = nullptr; ///< l (rigid) or r (deformable) of each face [m], eqs. (1), (16); zero for supports
-	int                         segments      = 1;       ///< along each edge of a face
-	bool                        support       = false;   ///< a Wall or Box: carries no segments of its own
-	Placement                   placement;
+	const Hexahedron*          solid         = nullptr; ///< rest geometry
+	const std::array<Real, 6>* contactLength = nullptr; ///< l (rigid) or r (deformable) of each face [m], eqs. (1), (16); zero for supports
+	int                        segments      = 1;       ///< along each edge of a face
+	bool                       support       = false;   ///< a Wall or Box: carries no segments of its own
+	Placement                  placement;
 };
 
 /// What one joint or contact does to one of its bodies.

@@ -14,8 +14,8 @@
 namespace brick {
 
 struct Elasticity {
-	Real young   = 0; ///< E [Pa]
-	Real poisson = 0; ///< nu [-]
+	Real young   = 0;                                                         ///< E [Pa]
+	Real poisson = 0;                                                         ///< nu [-]
 	Real normalCompliance() const { return (1 - poisson * poisson) / young; } ///< (1-nu^2)/E [1/Pa]
 	Real shearCompliance() const { return 2 * (1 + poisson) / young; }        ///< 2(1+nu)/E [1/Pa]
 };

@@ -40,9 +40,10 @@ Real largestOmegaSquared(const Hexahedron& solid, const std::array<FaceSprings, 
 		const Face& face = solid.faces[f];
 		for (int q = 0; q < 4; ++q) {
 			const Real     xi = q % 2 ? g : -g, eta = q / 2 ? g : -g;
-			const Real     area    = (face.e1 + eta * face.e12).cross(face.e2 + xi * face.e12).norm(); // Gauss weight 1
-			const Matrix3r D       = springs[f].shear * Matrix3r::Identity() + (springs[f].normal - springs[f].shear) * face.normal * face.normal.transpose();
-			const Rows     J       = pointMotion(solid, f, bilinear(xi, eta), mass, inertia, modes);
+			const Real     area = (face.e1 + eta * face.e12).cross(face.e2 + xi * face.e12).norm(); // Gauss weight 1
+			const Matrix3r D
+			        = springs[f].shear * Matrix3r::Identity() + (springs[f].normal - springs[f].shear) * face.normal * face.normal.transpose();
+			const Rows J = pointMotion(solid, f, bilinear(xi, eta), mass, inertia, modes);
 			K.noalias() += area * J.transpose() * D * J;
 		}
 	}
