@@ -82,7 +82,7 @@ TEST(HexahedronTest, shape_derivatives_agree_with_differences)
 {
 	const Vector3r at(.3, -.8, .1);
 	for (int i = 0; i < 3; ++i) { // the functions are linear in each coordinate: a central difference is exact
-		const auto difference = shapeFunctions(at + .1 * Vector3r::Unit(i)) - shapeFunctions(at - .1 * Vector3r::Unit(i));
+		const Eigen::Matrix<Real, nodeCount, 1> difference = shapeFunctions(at + .1 * Vector3r::Unit(i)) - shapeFunctions(at - .1 * Vector3r::Unit(i));
 		EXPECT_LT((difference / .2 - shapeDerivatives(at).col(i)).norm(), roundOff);
 	}
 }
