@@ -273,12 +273,6 @@ namespace {
 			loads.nodal[faceNodes[face][a]] += weights[a] * local;
 	}
 
-	Vector3r limited(const Vector3r& t, Real largest)
-	{
-		const Real length = t.norm();
-		return length > largest ? Vector3r(t * (largest / length)) : t;
-	}
-
 	Vector3r remembered(const ContactMemory& memory, std::size_t& cursor, int key)
 	{
 		while (cursor < memory.size() && memory.keys[cursor] < key)

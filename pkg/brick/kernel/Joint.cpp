@@ -190,13 +190,6 @@ namespace {
 
 	Vector3r weighted(const Vector4r& w, const std::array<Vector3r, 4>& x) { return w[0] * x[0] + w[1] * x[1] + w[2] * x[2] + w[3] * x[3]; }
 
-	/// Shortens a tangential vector to a largest length.
-	Vector3r limited(const Vector3r& t, Real largest)
-	{
-		const Real length = t.norm();
-		return length > largest ? Vector3r(t * (largest / length)) : t;
-	}
-
 	/// Traction on side 0 of a failed segment: unilateral spring and dashpot, Coulomb friction; moves the slip.
 	Vector3r
 	contactTraction(JointSegment& segment, const SpotSprings& k, Real tanFriction, const Vector3r& n, Real un, const Vector3r& ut, const Vector3r& rate)

@@ -28,6 +28,13 @@ struct SpotSprings {
 	Real shearDashpot  = 0; ///< cs [Pa s/m]
 };
 
+/// A tangential vector, shortened to a largest length: Coulomb's limit, eq. (9).
+inline Vector3r limited(const Vector3r& t, Real largest)
+{
+	const Real length = t.norm();
+	return length > largest ? Vector3r(t * (largest / length)) : t;
+}
+
 /// Everything about a pair of materials from which the springs of any spot between them follow.
 struct PairSprings {
 	std::array<Real, 2> normalCompliance { 0, 0 }; ///< (1-nu^2)/E of both sides [1/Pa]; zero for a support
