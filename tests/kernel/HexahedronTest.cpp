@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "References.hpp"
+#include "Refusal.hpp"
 #include <pkg/brick/kernel/Hexahedron.hpp>
 
 #include <gtest/gtest.h>
@@ -53,16 +54,6 @@ Nodes skewed()
 }
 
 bool mentions(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-template <class Call> std::string refusal(Call call)
-{
-	try {
-		call();
-	} catch (const std::invalid_argument& error) {
-		return error.what();
-	}
-	return "";
-}
 
 } // namespace
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "References.hpp"
+#include "Refusal.hpp"
 #include <pkg/brick/kernel/Hexahedron.hpp>
 #include <pkg/brick/kernel/Modes.hpp>
 #include <pkg/brick/kernel/Stiffness.hpp>
@@ -90,16 +91,6 @@ Matrix24 consistentMass(const Nodes& nodes)
 				M.block<3, 3>(3 * a, 3 * b).diagonal().array() += dm * N[a] * N[b];
 	}
 	return M;
-}
-
-template <class Call> std::string refusal(Call call)
-{
-	try {
-		call();
-	} catch (const std::invalid_argument& error) {
-		return error.what();
-	}
-	return "";
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "References.hpp"
+#include "Refusal.hpp"
 #include <pkg/brick/kernel/Hexahedron.hpp>
 #include <pkg/brick/kernel/Stiffness.hpp>
 
@@ -74,16 +75,6 @@ Eigen::Matrix<Real, 12, 1> pressedFromAbove(const Matrix24& K, Real load)
 	for (int a = 0; a < 4; ++a)
 		f[3 * a + 2] = -load / 4;
 	return K.bottomRightCorner<12, 12>().ldlt().solve(f);
-}
-
-template <class Call> std::string refusal(Call call)
-{
-	try {
-		call();
-	} catch (const std::invalid_argument& error) {
-		return error.what();
-	}
-	return "";
 }
 
 /// Patch of MacNeal and Harder: a distorted hexahedron inside a unit cube, its faces joined to the cube's by six more.

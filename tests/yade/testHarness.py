@@ -3,15 +3,7 @@
 import os, subprocess, tempfile, unittest
 
 import yade.config
-import yade_brick
-
-build = os.path.dirname(os.path.dirname(os.path.realpath(yade_brick._core.__file__)))
-program = os.path.join(build, 'yade')
-
-
-def run(*arguments, **environment):
-	inherited = {k: v for k, v in os.environ.items() if k not in ('YADE_PREFIX', 'PYTHONPATH', 'OMP_NUM_THREADS')}
-	return subprocess.run([program, *arguments], env=dict(inherited, **environment), capture_output=True, text=True, timeout=300)
+from buildYade import build, run
 
 
 class Program(unittest.TestCase):

@@ -3,9 +3,8 @@
 import os, shutil, subprocess, tempfile, unittest
 
 import yade.config
-import yade_brick
+from buildYade import build
 
-build = os.path.dirname(os.path.dirname(os.path.realpath(yade_brick._core.__file__)))
 plugins = os.path.join(yade.config.libPATH, 'yade-double')
 SCRIPT = 'import yade_brick\nfrom yade_brick import report\nBrickMat(hn=.2)\nprint("FROM", yade_brick._core.__file__)\n'
 

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # The scene script in README.md runs as it stands: the wall cracks and a picture is left.
-import os, re, subprocess, tempfile, unittest
+import os, re, tempfile, unittest
 
-import yade_brick
+from buildYade import run
 
-build = os.path.dirname(os.path.dirname(os.path.realpath(yade_brick._core.__file__)))
 readme = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'README.md')
 
 
@@ -13,13 +12,10 @@ class Readme(unittest.TestCase):
 	def test_scene_of_your_own(self):
 		with open(readme) as file:
 			script, = re.findall(r'```python\n(.*?)```', file.read(), re.S)
-		inherited = {k: v for k, v in os.environ.items() if k not in ('YADE_PREFIX', 'PYTHONPATH', 'OMP_NUM_THREADS')}
 		with tempfile.TemporaryDirectory() as folder:
 			with open(os.path.join(folder, 'mywall.py'), 'w') as file:
 				file.write(script)
-			process = subprocess.run(
-			        [os.path.join(build, 'yade'), '-n', '-x', 'mywall.py'], cwd=folder, env=inherited, capture_output=True, text=True, timeout=300
-			)
+			process = run('-n', '-x', 'mywall.py', cwd=folder)
 			self.assertEqual(process.returncode, 0, process.stdout + process.stderr)
 			failed = re.search(r'^(\d+) segments failed', process.stdout, re.M)
 			self.assertGreater(int(failed.group(1)), 0)

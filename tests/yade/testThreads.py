@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # The same scene on one and on two threads: the same result to the last bit.
-import os, re, subprocess, unittest
+import os, re, unittest
 
-import yade_brick
+from buildYade import run
 
-build = os.path.dirname(os.path.dirname(os.path.realpath(yade_brick._core.__file__)))
 folder = os.path.dirname(os.path.abspath(__file__))
 
 
@@ -12,11 +11,8 @@ class Threads(unittest.TestCase):
 
 	def collapse(self, threads, steps, verletDist, columns, courses):
 		"""Runs collapse.py in a YADE of its own; dict of what it prints."""
-		inherited = {k: v for k, v in os.environ.items() if k not in ('YADE_PREFIX', 'PYTHONPATH', 'OMP_NUM_THREADS')}
-		command = [os.path.join(build, 'yade'), '-n', '-x', '-j%d' % threads, os.path.join(folder, 'collapse.py')]
-		process = subprocess.run(
-		        command + ['%g' % x for x in (steps, verletDist, columns, courses)], env=inherited, capture_output=True, text=True, timeout=600
-		)
+		scene = ['%g' % x for x in (steps, verletDist, columns, courses)]
+		process = run('-n', '-x', '-j%d' % threads, os.path.join(folder, 'collapse.py'), *scene, timeout=600)
 		self.assertEqual(process.returncode, 0, process.stdout + process.stderr)
 		found = dict(re.findall(r'^(threads|failures|fingerprint) (\w+)$', process.stdout, re.M))
 		self.assertEqual(int(found['threads']), threads)

@@ -218,7 +218,6 @@ namespace {
 Failures jointLoads(Joint& joint, const JointMotion& m, const PairSprings& pair, const Matrix3r& rotation0, std::array<Loads, 2>& loads, PairSummary& sum)
 {
 	Failures                failed;
-	const bool              moving = joint.intact < int(joint.segments.size());
 	std::array<Vector3r, 4> onNodes0, onNodes1;
 	onNodes0.fill(Vector3r::Zero()), onNodes1.fill(Vector3r::Zero());
 	Vector3r   force = Vector3r::Zero(), torque = Vector3r::Zero(), middle = Vector3r::Zero();
@@ -240,9 +239,8 @@ Failures jointLoads(Joint& joint, const JointMotion& m, const PairSprings& pair,
 				traction = contactTraction(segment, joint.springs, pair.tanFriction, n, un, ut, Vector3r::Zero());
 			}
 		} else {
-			Vector3r rate = Vector3r::Zero();
-			if (moving) rate = weighted(segment.weights[1], m.velocities[1]) - weighted(segment.weights[0], m.velocities[0]);
-			traction = contactTraction(segment, joint.springs, pair.tanFriction, n, un, ut, rate);
+			const Vector3r rate = weighted(segment.weights[1], m.velocities[1]) - weighted(segment.weights[0], m.velocities[0]);
+			traction            = contactTraction(segment, joint.springs, pair.tanFriction, n, un, ut, rate);
 		}
 		const Vector3r f = segment.area * traction, at = x0 + d / 2;
 		for (int a = 0; a < 4; ++a)
