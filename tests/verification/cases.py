@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # What the verification cases share: reference values, the table of expected and got, a scene with the engines in order, and the engines' use.
 # Every tolerance is given with its reason; a row that is not ok fails its test.
-import json, math, os, unittest
+import inspect, json, math, os, sys, unittest
 
 from yade import O, Quaternion, Vector3, utils
 from yade.wrapper import Bo1_Wall_Aabb, ForceResetter, InsertionSortCollider, InteractionLoop, NewtonIntegrator
@@ -16,19 +16,25 @@ UNBREAKABLE = dict(tensileStrength=1e15, cohesion=1e15, frictionAngle=FRICTION, 
 
 with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), 'references.json')) as file:
 	_references = {row['id']: row for row in json.load(file)}
+_touched = set()
 
 
 def reference(id):
-	"""Value of a row of references.json."""
+	"""Value of a row of references.json. The report says which case used it."""
+	_touched.add(id)
 	return _references[id]['value']
 
 
 class Case(unittest.TestCase):
-	"""A test whose rows are printed, good or bad."""
+	"""A test whose rows are printed, good or bad, and kept for the report when VERIFICATION_ROWS names a folder.
+
+	What a case does is its docstring, which the report prints; the group it belongs to is GROUP of its module.
+	"""
 
 	def setUp(self):
 		O.reset()
-		self.rows = []
+		self.rows, self.comparisons, self.curves = [], [], []
+		_touched.clear()
 
 	def tearDown(self):
 		O.reset()
@@ -36,16 +42,44 @@ class Case(unittest.TestCase):
 		for reason in dict.fromkeys(row['reason'] for row in self.rows):
 			print('  ' + reason)
 
+	def run(self, result=None):
+		result = super().run(result)
+		if 'VERIFICATION_ROWS' in os.environ: self._keep(os.environ['VERIFICATION_ROWS'], result)
+		return result
+
 	def judge(self, id, got, expected, tolerance, reason):
-		"""tolerance: relative, absolute where expected is 0."""
+		"""The implementation against what it has to give. tolerance: relative, absolute where expected is 0."""
 		self._add(judgedRow(id, got, expected=expected, tolerance=tolerance, reason=reason))
 
 	def atMost(self, id, got, limit, reason):
 		self._add(judgedRow(id, got, limit=limit, reason=reason))
 
+	def compare(self, id, got, truth, reason):
+		"""The method against the truth: an error that the method itself has, reported and not judged. Say in `reason` what it comes from; a judged row,
+		such as the convergence with refinement, has to show that it is the method's.
+		"""
+		self.comparisons.append(dict(id=id, got=float(got), truth=float(truth), reason=reason))
+
+	def curve(self, figure, series, x, y, xLabel='', yLabel='', logX=False, logY=False, line=True):
+		"""A curve (line=False: points) for a figure of the report; what is said of the axes first holds for the figure."""
+		self.curves.append(
+		        dict(figure=figure, series=series, x=[float(v) for v in x], y=[float(v) for v in y], xLabel=xLabel, yLabel=yLabel, logX=logX, logY=logY, line=line)
+		)
+
 	def _add(self, row):
 		self.rows.append(row)
 		if not row['ok']: self.fail(table([row], 'not ok: ' + row['reason']))
+
+	def _keep(self, folder, result):
+		module, case = self.id().split('.')[0], self.id().split('.')[-1]
+		content = dict(
+		        module=module, case=case, group=sys.modules[type(self).__module__].GROUP, about=inspect.getdoc(getattr(self, case)) or '',
+		        passed=not any(test is self for test, _ in result.failures + result.errors), references=sorted(_touched), rows=self.rows,
+		        comparisons=self.comparisons, curves=self.curves
+		)
+		os.makedirs(folder, exist_ok=True)
+		with open(os.path.join(folder, module + '.' + case + '.json'), 'w') as file:
+			json.dump(content, file, indent='\t')
 
 
 def material(**attributes):

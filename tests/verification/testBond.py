@@ -8,6 +8,7 @@ from yade.wrapper import RotationEngine
 
 from cases import *
 
+GROUP = 'Mortar strength'
 SIDE, AREA = .2, .04
 FT, COHESION, FM = 4.6e3, 2.9e3, 4.9e5
 STEP = 1e-3  # of the displacement at failure, in each time step: the largest force is known to this

@@ -7,6 +7,7 @@ import unittest
 
 from cases import *
 
+GROUP = 'Sliding blocks'
 FLAT = (.2, .2, .1)
 STIFF = 9.8e8  # a hundred times the paper's [Pa], where the compliance of contact is to vanish
 INSIDE = .1  # damping ratio of the modes

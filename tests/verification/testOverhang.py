@@ -4,6 +4,7 @@ import unittest
 
 from cases import *
 
+GROUP = 'Overhang'
 LENGTH, HEIGHT, MARGIN = .2, .1, .04
 
 

@@ -8,6 +8,7 @@ import unittest
 
 from cases import *
 
+GROUP = 'Restitution'
 SIDE, SPEED = .2, .01
 REASON = 'dashpots see velocities half a step late: a step of 1/50 of the limit'
 

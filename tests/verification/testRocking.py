@@ -7,6 +7,7 @@ import unittest
 
 from cases import *
 
+GROUP = 'Rocking blocks'
 WIDTH, HEIGHT, SHARE = .2, .6, .5  # of the angle at which the block would topple
 TOPPLE = math.atan(WIDTH / HEIGHT)
 

@@ -7,6 +7,7 @@ import unittest
 
 from cases import *
 
+GROUP = 'Free spin'
 TIMES = ('1.0', '2.0')
 
 

@@ -4,6 +4,7 @@ import unittest
 
 from cases import *
 
+GROUP = 'Self weight of the walls'
 SIDE, COURSES = .2, 6
 
 

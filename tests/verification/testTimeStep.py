@@ -4,6 +4,7 @@ import unittest
 
 from cases import *
 
+GROUP = 'Time step'
 SIDE = .2
 
 

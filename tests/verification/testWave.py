@@ -4,6 +4,7 @@ import unittest
 
 from cases import *
 
+GROUP = 'Wave arrival'
 SIDE, COUNT, PRESSURE = .2, 40, 100.
 STIFFNESS = YOUNG / ((1 - POISSON**2) * SIDE) * SIDE**2  # of a joint, eq. (3) [N/m]
 MASS = DENSITY * SIDE**3
