@@ -164,7 +164,7 @@ const brick::InnerPart* Brick::innerPart(const BrickMat& material)
 void Brick::advance(const brick::Nodes& forces, Real dampingRatio, Real localDamping, Real dt)
 {
 	const brick::Modes& modes = inside->modes;
-	brick::Vector24     f, u = brick::Vector24::Zero(), rate = brick::Vector24::Zero();
+	brick::Vector24     f;
 	for (int a = 0; a < brick::nodeCount; ++a)
 		f.segment<3>(3 * a) = forces[a];
 	for (int k = 0; k < modes.count; ++k) {
@@ -172,13 +172,50 @@ void Brick::advance(const brick::Nodes& forces, Real dampingRatio, Real localDam
 		const auto next = brick::advanced({ amplitudes[k], rates[k] }, load, modes.omegaSquared[k], dampingRatio, localDamping, dt);
 		amplitudes[k]   = next.amplitude;
 		rates[k]        = next.rate;
-		u += next.amplitude * modes.shapes.col(k);
-		rate += next.rate * modes.shapes.col(k);
+	}
+	updateNodes();
+}
+
+void Brick::setAmplitudes(const std::vector<Real>& given)
+{
+	amplitudes = given;
+	std::fill(rates.begin(), rates.end(), 0);
+	updateNodes();
+}
+
+/// Displacement of the nodes and its rate from the modes.
+void Brick::updateNodes()
+{
+	const brick::Modes& modes = inside->modes;
+	brick::Vector24     u = brick::Vector24::Zero(), rate = brick::Vector24::Zero();
+	for (int k = 0; k < modes.count; ++k) {
+		u += amplitudes[k] * modes.shapes.col(k);
+		rate += rates[k] * modes.shapes.col(k);
 	}
 	for (int a = 0; a < brick::nodeCount; ++a) {
 		displacement[a]     = u.segment<3>(3 * a);
 		displacementRate[a] = rate.segment<3>(3 * a);
 	}
+}
+
+brick::Nodes Brick::innerNodes() const { return inside ? inside->nodes : nodesOf(corners); }
+
+Real Brick::elasticEnergy() const
+{
+	if (!isDeformable()) return 0;
+	if (!inside) return NaN;
+	Real energy = 0;
+	for (int k = 0; k < inside->modes.count; ++k)
+		energy += inside->modes.omegaSquared[k] * amplitudes[k] * amplitudes[k] / 2;
+	return energy;
+}
+
+Real Brick::kineticEnergy() const
+{
+	Real energy = 0;
+	for (const Real rate : rates)
+		energy += rate * rate / 2;
+	return energy;
 }
 
 brick::Placement Brick::placement(const Vector3r& position, const State& state) const

@@ -31,6 +31,13 @@ public:
 	/// @param localDamping of the modes, as NewtonIntegrator.damping is of the rigid motion
 	void advance(const brick::Nodes& forces, Real dampingRatio, Real localDamping, Real dt);
 
+	/// Deforms it at rest.
+	void setAmplitudes(const std::vector<Real>&);
+
+	brick::Nodes innerNodes() const; ///< of the inner hexahedron at rest, body axes [m]; the corners of a rigid brick
+	Real         elasticEnergy() const;
+	Real         kineticEnergy() const;
+
 	/// Deformed corners in world axes, in the order of `corners` [m].
 	std::vector<Vector3r>      worldCorners(const shared_ptr<State>& state) const;
 	Vector6r                   stress() const;
@@ -60,6 +67,8 @@ Limitations: small strain in the co-rotated frame; inertia forces of the rotatio
 		/*py*/
 		.def("worldCorners", &Brick::worldCorners, (boost::python::arg("state")), "Deformed corners in world axes for the given state [m], in the order of corners.")
 		.def("stress", &Brick::stress, "Mean stress of the inner hexahedron in body axes [Pa], tension positive: xx, yy, zz, xy, yz, zx. Zero for a rigid brick; NaN before the first step after making or loading, when the material is not known yet.")
+		.def("elasticEnergy", &Brick::elasticEnergy, "Elastic energy of the deformation [J]; zero for a rigid brick, NaN as stress.")
+		.def("kineticEnergy", &Brick::kineticEnergy, "Kinetic energy of the deformation, half a step before [J]; that of the rigid motion is not in it.")
 		.add_property("volume", &Brick::volume, "Volume at rest [m3].")
 		.def("solidProperties", &Brick::solidProperties, (boost::python::arg("corners")), "Properties of the solid with eight given corners in any axes: dict of volume [m3], centroid [m], inertia (principal, for unit density [m5]), orientation (principal axes in the corners' axes), corners (in the principal frame [m]). Raises ValueError when the corners are no brick.")
 		.staticmethod("solidProperties")
@@ -75,6 +84,7 @@ private:
 	string                             insideAs;                   // and the attributes
 	string                             innerAttributes() const;
 	void                               keepDeformation();
+	void                               updateNodes();
 };
 REGISTER_SERIALIZABLE(Brick);
 

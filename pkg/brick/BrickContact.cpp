@@ -249,6 +249,13 @@ std::vector<Vector3r> BrickPhys::shearStress(const shared_ptr<BrickGeom>& geom) 
 	return out;
 }
 
+Real BrickPhys::elasticEnergy(const shared_ptr<BrickGeom>& geom) const
+{
+	needStep(geom);
+	return isJoint() ? brick::jointEnergy(joint, geom->motion, springs.tanFriction)
+	                 : brick::contactEnergy(geom->sides[0], geom->sides[1], geom->spots, springs, memory);
+}
+
 // ----------------------------------------------------------------------------------------------------------------- law
 
 namespace {

@@ -51,6 +51,7 @@ public:
 	std::vector<Vector3r> segmentPoints(const shared_ptr<BrickGeom>&) const;
 	std::vector<Real>     normalStress(const shared_ptr<BrickGeom>&) const;
 	std::vector<Vector3r> shearStress(const shared_ptr<BrickGeom>&) const;
+	Real                  elasticEnergy(const shared_ptr<BrickGeom>&) const;
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(BrickPhys, FrictPhys, R"(Springs, mortar and friction between a :yref:`Brick` and another body [Furukawa2014]_, eqs. (2)-(9), (16).
@@ -69,6 +70,7 @@ public:
 		.def("segmentPoints", &BrickPhys::segmentPoints, (boost::python::arg("geom")), "Place of each segment of a joint in the last step, world axes [m].")
 		.def("normalStress", &BrickPhys::normalStress, (boost::python::arg("geom")), "Normal stress of each segment of a joint in the last step, tension positive, dashpots left out [Pa].")
 		.def("shearStress", &BrickPhys::shearStress, (boost::python::arg("geom")), "Shear stress of each segment of a joint in the last step, acting on the body with the lower id (or the support), world axes [Pa].")
+		.def("elasticEnergy", &BrickPhys::elasticEnergy, (boost::python::arg("geom")), "Elastic energy of the springs of this joint or contact in the last step [J].")
 	);
 	// clang-format on
 	REGISTER_CLASS_INDEX(BrickPhys, FrictPhys);

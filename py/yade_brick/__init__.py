@@ -36,11 +36,13 @@ def _load():
 _classes = _load()
 globals().update(_classes)
 
-from . import build, motion, picture, progress, report, snapshot
+from . import assembly, build, motion, picture, progress, report, rest, snapshot
+from .assembly import assembled
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
 from .motion import Motion, readAt2, readColumns, syntheticNearFault
 from .picture import historyPlot, pictureSeries, wallPicture
 from .progress import runWithProgress
+from .rest import isAtRest, restState
 from .snapshot import JointRecord, patches
 
 # Modules stay out of `from yade_brick import *`: names such as `motion` and `report` are often a script's own.

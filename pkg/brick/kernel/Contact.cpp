@@ -280,6 +280,12 @@ namespace {
 		return cursor < memory.size() && memory.keys[cursor] == key ? memory.tractions[cursor] : Vector3r(Vector3r::Zero());
 	}
 
+	SpotSprings springsOf(const ContactSpot& spot, const Side& side0, const Side& side1, const PairSprings& pair)
+	{
+		const int face0 = spot.owner == 0 ? spot.ownerFace : spot.otherFace, face1 = spot.owner == 0 ? spot.otherFace : spot.ownerFace;
+		return pair.at((*side0.contactLength)[face0], (*side1.contactLength)[face1]);
+	}
+
 } // namespace
 
 void contactLoads(
@@ -302,8 +308,7 @@ void contactLoads(
 		const Placement & mine = owner.placement, &its = other.placement;
 		const Vector3r    n       = its.rotation * spot.normal;
 		const Vector3r    fromIts = its.rotation * spot.position, fromMine = fromIts + (its.position - mine.position);
-		const int         face[2] = { spot.owner == 0 ? spot.ownerFace : spot.otherFace, spot.owner == 0 ? spot.otherFace : spot.ownerFace };
-		const SpotSprings k       = pair.at((*side0.contactLength)[face[0]], (*side1.contactLength)[face[1]]);
+		const SpotSprings k = springsOf(spot, side0, side1, pair);
 
 		const Vector3r velocity
 		        = pointVelocity(mine, fromMine, spot.ownerFace, spot.ownerWeights) - pointVelocity(its, fromIts, spot.otherFace, spot.otherWeights);
@@ -335,6 +340,17 @@ void contactLoads(
 	sum.shearForce = loads[1].force - sum.normalForce;
 	if (sum.area > 0) sum.point /= sum.area;
 	if (sum.normal.norm() > 0) sum.normal.normalize();
+}
+
+Real contactEnergy(const Side& side0, const Side& side1, const std::vector<ContactSpot>& spots, const PairSprings& pair, const ContactMemory& memory)
+{
+	Real        energy = 0;
+	std::size_t cursor = 0;
+	for (const auto& spot : spots) {
+		const SpotSprings k = springsOf(spot, side0, side1, pair);
+		energy += spot.area / 2 * (k.normal * spot.penetration * spot.penetration + remembered(memory, cursor, spot.key).squaredNorm() / k.shear);
+	}
+	return energy;
 }
 
 namespace {

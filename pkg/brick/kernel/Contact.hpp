@@ -58,6 +58,9 @@ void contactLoads(
         std::array<Loads, 2>&           loads,
         PairSummary&                    sum);
 
+/// Elastic energy of the springs of all spots, with the shear tractions of the last loads [J].
+Real contactEnergy(const Side& side0, const Side& side1, const std::vector<ContactSpot>& spots, const PairSprings& pair, const ContactMemory& memory);
+
 /// The tractions of a joint whose last segment has failed, laid on the segments of the two faces, so that the contact that takes over goes on with
 /// the same shear.
 ContactMemory tractionsOfJoint(const Joint&, const JointMotion&, Real tanFriction, const Side& side0, const Side& side1);

@@ -283,4 +283,14 @@ SegmentTraction segmentTraction(const Joint& joint, const JointSegment& segment,
 	return { -pressure, limited(joint.springs.shear * (ut - slip), pressure * tanFriction) };
 }
 
+Real jointEnergy(const Joint& joint, const JointMotion& m, Real tanFriction)
+{
+	Real energy = 0;
+	for (const auto& segment : joint.segments) {
+		const SegmentTraction t = segmentTraction(joint, segment, m, tanFriction);
+		energy += segment.area / 2 * (t.normal * t.normal / joint.springs.normal + t.shear.squaredNorm() / joint.springs.shear);
+	}
+	return energy;
+}
+
 } // namespace brick

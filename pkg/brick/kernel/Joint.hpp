@@ -85,4 +85,7 @@ struct SegmentTraction {
 };
 SegmentTraction segmentTraction(const Joint&, const JointSegment&, const JointMotion&, Real tanFriction);
 
+/// Elastic energy of the springs of all segments [J].
+Real jointEnergy(const Joint&, const JointMotion&, Real tanFriction);
+
 } // namespace brick

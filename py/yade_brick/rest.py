@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# How far a scene of bricks is from rest, from energies and forces that the library computes.
+"""Criterion of rest: `restState`, `isAtRest`."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class RestState:
+	"""Energies and forces of the last step.
+
+	:param kinetic: of bricks, rigid motion and deformation [J]
+	:param elastic: of bricks, mortar joints and contacts [J]
+	:param imbalance: mean net force on bodies over mean force in joints and contacts, YADE's unbalancedForce [-]
+	"""
+
+	kinetic: float
+	elastic: float
+	imbalance: float
+
+	@property
+	def energyRatio(self):
+		"""Kinetic over elastic energy; infinite for motion without elastic energy, 0 when there is neither."""
+		return self.kinetic / self.elastic if self.elastic else float("inf") if self.kinetic else 0.0
+
+
+def restState():
+	"""RestState of the scene; at least one step must have been done."""
+	from yade import Brick, BrickPhys, O
+	from yade.utils import kineticEnergy, unbalancedForce
+	bricks = [body.shape for body in O.bodies if isinstance(body.shape, Brick)]
+	elastic = sum(shape.elasticEnergy() for shape in bricks)
+	elastic += sum(i.phys.elasticEnergy(i.geom) for i in O.interactions if isinstance(i.phys, BrickPhys))
+	return RestState(kineticEnergy() + sum(shape.kineticEnergy() for shape in bricks), elastic, unbalancedForce())
+
+
+def isAtRest(energyRatio=1e-8, imbalance=1e-4):
+	"""Whether the scene rests: kinetic over elastic energy and force imbalance both at or below their limits.
+
+	:param energyRatio: largest allowed RestState.energyRatio; 1e-8 means velocities of 1e-4 of those that the elastic energy could give
+	:param imbalance: largest allowed RestState.imbalance
+	:raises ValueError: for a limit that is not > 0
+	"""
+	for name, limit in (("energyRatio", energyRatio), ("imbalance", imbalance)):
+		if not limit > 0:
+			raise ValueError(f"{name} is {limit}; allowed is a number > 0")
+	now = restState()
+	return now.energyRatio <= energyRatio and now.imbalance <= imbalance
