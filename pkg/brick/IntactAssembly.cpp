@@ -38,6 +38,20 @@ namespace {
 	Real normalForce(const Interaction& I) { return static_cast<const BrickPhys&>(*I.phys).normalForce.norm(); }
 	bool isJoint(const Interaction& I) { return static_cast<const BrickPhys&>(*I.phys).isJoint(); }
 
+	void checkJoints(const Pairs& pairs)
+	{
+		for (const auto& [key, I] : pairs) {
+			const auto& phys = static_cast<const BrickPhys&>(*I->phys);
+			if (phys.isJoint() && phys.joint.intact < phys.segmentCount())
+				throw std::invalid_argument(brick::message(
+				        "the joint of bodies #",
+				        key.first,
+				        " and #",
+				        key.second,
+				        " has failed in part: an intact assembly has joints that hold"));
+		}
+	}
+
 	/// Bricks of a wall that meet at an edge only touch too, on the width by which they are deformed; that carries next to nothing.
 	void checkContacts(const Pairs& pairs)
 	{
@@ -113,15 +127,12 @@ SceneAssembly SceneAssembly::of(Scene& scene)
 	Pairs pairs;
 	for (const auto& I : *scene.interactions)
 		if (dynamic_cast<const BrickPhys*>(I->phys.get())) pairs[std::minmax(I->getId1(), I->getId2())] = I.get();
+	checkJoints(pairs);
 	checkContacts(pairs);
 	std::vector<brick::AssembledJoint> joints;
 	for (const auto& [key, I] : pairs) {
 		const auto& phys = static_cast<const BrickPhys&>(*I->phys);
-		if (!phys.isJoint()) continue;
-		if (phys.joint.intact < phys.segmentCount())
-			throw std::invalid_argument(brick::message(
-			        "the joint of bodies #", key.first, " and #", key.second, " has failed in part: an intact assembly has joints that hold"));
-		joints.push_back(assembledJoint(*I, phys, places, scene));
+		if (phys.isJoint()) joints.push_back(assembledJoint(*I, phys, places, scene));
 	}
 	return { ids, brick::Assembly(std::move(bricks), std::move(joints)) };
 }

@@ -21,11 +21,24 @@ void StaticEquilibrium::postLoad(StaticEquilibrium&)
 		throw std::invalid_argument(brick::message("StaticEquilibrium.gravity: (", gravity.transpose(), "); must be finite"));
 }
 
+namespace {
+
+	/// NewtonIntegrator's class is the host's: its attribute is read as Python does, for which an engine in the loop needs Python's lock.
+	Vector3r gravityOf(const Engine& newton)
+	{
+		const PyGILState_STATE state = PyGILState_Ensure();
+		const Vector3r         found = boost::python::extract<Vector3r>(newton.pyDict()["gravity"])();
+		PyGILState_Release(state);
+		return found;
+	}
+
+} // namespace
+
 Vector3r StaticEquilibrium::presentGravity() const
 {
 	if (gravity.allFinite()) return gravity;
 	for (const auto& engine : scene->engines)
-		if (engine->getClassName() == "NewtonIntegrator") return boost::python::extract<Vector3r>(engine->pyDict()["gravity"])();
+		if (engine->getClassName() == "NewtonIntegrator") return gravityOf(*engine);
 	throw std::invalid_argument("StaticEquilibrium.gravity is not given, and O.engines has no NewtonIntegrator to take it from");
 }
 
@@ -33,10 +46,14 @@ brick::VectorX StaticEquilibrium::loads(const SceneAssembly& assembly) const
 {
 	const Vector3r g   = presentGravity();
 	brick::VectorX out = brick::VectorX::Zero(assembly.structure.size());
+	for (std::size_t i = 0; i < assembly.ids.size(); ++i)
+		out.segment<3>(assembly.structure.place(int(i))) = assembly.structure.bricks()[i].mass * g;
+	if (!scene->forces.getPermForceUsed()) return out;
+	scene->forces.sync(); // sizes the arrays of forces given since the last step
 	for (std::size_t i = 0; i < assembly.ids.size(); ++i) {
-		const int at           = assembly.structure.place(int(i));
-		out.segment<3>(at)     = assembly.structure.bricks()[i].mass * g + scene->forces.getPermForce(assembly.ids[i]);
-		out.segment<3>(at + 3) = scene->forces.getPermTorque(assembly.ids[i]);
+		const int at = assembly.structure.place(int(i));
+		out.segment<3>(at) += scene->forces.getPermForce(assembly.ids[i]);
+		out.segment<3>(at + 3) += scene->forces.getPermTorque(assembly.ids[i]);
 	}
 	return out;
 }

@@ -16,7 +16,7 @@ public:
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS(StaticEquilibrium, GlobalEngine, R"(Moves all bricks to where mortar joints and deformation carry their weight and the permanent forces and torques (``O.forces.setPermF``), and takes velocities away: self weight in one call, after :yref:`MortarJoints` and before the first step: ``StaticEquilibrium()()``. As one of ``O.engines`` it works once and is then :yref:`dead<Engine.dead>`.
 
-The joints are taken to hold, whatever their strength: those that are beyond it are counted in :yref:`overloaded<StaticEquilibrium.overloaded>` and crack in the first step. Newton's method with one sparse factorisation; the state is an equilibrium of the engine loop to round-off, whatever the size of the rotations. Dry contacts are not part of it: settle those in the loop, with damping.
+The joints are taken to hold, whatever their strength: those that are beyond it are counted in :yref:`overloaded<StaticEquilibrium.overloaded>` and crack in the first step. Newton's method with a sparse factorisation; the state is an equilibrium of the engine loop to round-off. It is meant for structures that deform little, as masonry does: one that sags by a good part of its size is refused. Dry contacts are not part of it: settle those in the loop, with damping.
 
 Raises ValueError when bricks touch without mortar or a joint has failed in part, RuntimeError naming the brick when the structure can move freely, or finds no equilibrium; the scene is then as it was.)",
 		((Vector3r, gravity, Vector3r::Constant(NaN), Attr::triggerPostLoad, "Gravity [m/s2]; NaN: that of the scene's :yref:`NewtonIntegrator`."))

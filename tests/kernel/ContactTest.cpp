@@ -578,6 +578,17 @@ TEST(ContactTest, friction_opposes_sliding_in_any_direction_on_turned_bricks)
 	EXPECT_LT((f + limit * along).norm(), 1e-9 * limit);
 }
 
+TEST(ContactTest, energy_is_that_of_the_springs)
+{
+	Pair p = Pair::stacked();
+	p.second.placement.velocity = { .01, 0, 0 };
+	const Real slip             = 1e-8, dt = slip / .01; // small, so that it sticks
+	p.step(dt);
+	const Real energy = contactEnergy(p.first.side(), p.second.side(), p.spots, p.springs, p.memory);
+	EXPECT_NEAR(energy, edge * edge / 2 * (kn * depth * depth + ks * slip * slip), 1e-10 * energy);
+	EXPECT_GT(ks * slip * slip, 1e-8 * kn * depth * depth); // shear is seen
+}
+
 TEST(ContactTest, friction_turns_with_the_bricks)
 {
 	Pair p = Pair::stacked();

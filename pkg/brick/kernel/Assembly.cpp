@@ -5,7 +5,9 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 
 namespace brick {
@@ -320,7 +322,7 @@ namespace {
 					if (!(pivots[i] > roundOff * diagonal[i])) refuse(structure, free[i]);
 				return;
 			}
-			throw std::runtime_error("the stiffness of the structure cannot be factorised");
+			throw std::runtime_error("the structure is a mechanism: its stiffness cannot be factorised");
 		}
 
 		[[noreturn]] static void refuse(const Assembly& structure, int coordinate)
@@ -336,18 +338,27 @@ namespace {
 
 Equilibrium settle(Assembly& structure, const VectorX& loads, Real tolerance, int mostIterations)
 {
-	const FreeStiffness solve(structure);
-	const Real          scale = loads.dot(solve(loads));
-	Equilibrium         result;
+	if (const int loose = structure.freeBrick(); loose >= 0)
+		throw std::runtime_error(message("the structure is a mechanism: no chain of joints leads from brick ", loose, " to a support"));
+	constexpr Real slow  = 0.2; // an iteration that leaves more than this share of the imbalance asks for the present stiffness
+	auto           solve = std::make_unique<FreeStiffness>(structure);
+	const Real     scale = loads.dot((*solve)(loads));
+	Equilibrium    result;
 	if (scale == 0 && structure.internalForces().isZero(0)) return result;
 	// on to where round-off stops it: that depends on the springs, since they act on differences of places
 	for (Real before = std::numeric_limits<Real>::infinity();; before = result.imbalance, ++result.iterations) {
-		const VectorX rest = loads + structure.internalForces(), step = solve(rest);
-		result.imbalance = std::sqrt(std::max(0., rest.dot(step)) / (scale > 0 ? scale : 1));
+		const VectorX rest = loads + structure.internalForces();
+		VectorX       step = (*solve)(rest);
+		const Real    work = rest.dot(step);
+		result.imbalance   = std::sqrt(std::abs(work) / (scale > 0 ? scale : 1));
 		if (result.imbalance <= tolerance && result.imbalance >= before / 2) return result;
-		if (result.iterations == mostIterations)
+		if (result.iterations == mostIterations || !std::isfinite(work))
 			throw std::runtime_error(message(
-			        "no equilibrium found: imbalance ", result.imbalance, " after ", mostIterations, " iterations; allowed is ", tolerance));
+			        "no equilibrium found: imbalance ", result.imbalance, " after ", result.iterations, " iterations; allowed is ", tolerance));
+		if (result.imbalance > slow * before && result.imbalance > tolerance) {
+			solve = std::make_unique<FreeStiffness>(structure);
+			step  = (*solve)(rest);
+		}
 		structure.move(step);
 	}
 }

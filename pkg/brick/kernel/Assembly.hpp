@@ -85,7 +85,7 @@ struct Equilibrium {
 	Real imbalance  = 0; ///< sqrt(r.K^-1 r / f.K^-1 f) with the remaining forces r and the loads f
 };
 
-/// Moves the assembly to where internal forces balance the loads, by Newton's method with the stiffness of the first state.
+/// Moves the assembly to where internal forces balance the loads, by Newton's method; the stiffness is found anew when an iteration helps little.
 /// @param loads on all coordinates   @param tolerance of the imbalance; it goes on below as long as iterations help
 /// @throws std::runtime_error when the structure has a mechanism, naming the brick's index, or when the imbalance does not fall
 Equilibrium settle(Assembly&, const VectorX& loads, Real tolerance, int mostIterations);

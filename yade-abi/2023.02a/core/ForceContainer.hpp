@@ -30,7 +30,8 @@ public:
 	const Vector3r& getForceUnsynced(Body::id_t);
 	const Vector3r& getTorqueUnsynced(Body::id_t);
 
-	const Vector3r& getPermForce(Body::id_t);
+	bool            getPermForceUsed() const;
+	const Vector3r& getPermForce(Body::id_t); // only if used: until then there is no array to read
 	const Vector3r& getPermTorque(Body::id_t);
 	void            setPermForce(Body::id_t, const Vector3r&);
 	void            setPermTorque(Body::id_t, const Vector3r&);
