@@ -58,28 +58,45 @@ class Assembly:
 		loads = np.asarray(loads, dtype=float)
 		if loads.shape != (self.stiffness.shape[0],):
 			raise ValueError(f"loads have the shape {loads.shape}; allowed is ({self.stiffness.shape[0]},)")
-		displacement = np.zeros(len(loads))
-		displacement[self.free] = splu(self._freePart(self.stiffness)).solve(loads[self.free])
+		displacement, stiffness, free = np.zeros(len(loads)), self._freePart(self.stiffness), loads[self.free]
+		factor = splu(stiffness)
+		found = factor.solve(free)
+		# once more for what is left: joints much stiffer than bricks cost digits
+		displacement[self.free] = found + factor.solve(free - stiffness @ found)
 		return displacement
 
 	def frequencies(self, count=6):
-		"""The lowest natural frequencies [Hz], ascending.
+		"""The lowest natural frequencies [Hz], ascending; 0 for free motion of what nothing holds.
 
 		:raises ValueError: unless 0 < count < the number of free coordinates
 		"""
+		from scipy.linalg import eigh
 		from scipy.sparse.linalg import eigsh
 		if not 0 < count < len(self.free):
 			raise ValueError(f"count is {count}; allowed are 1 to {len(self.free) - 1}")
-		# a fixed start vector, since SciPy's own is random
-		values = eigsh(self._freePart(self.stiffness), count, self._freePart(self.mass), sigma=0, return_eigenvectors=False, v0=np.ones(len(self.free)))
-		return np.sqrt(np.sort(values)) / (2 * np.pi)
+		stiffness, mass = self._freePart(self.stiffness), self._freePart(self.mass)
+		if self._isSmall():
+			values = eigh(stiffness.toarray(), mass.toarray(), eigvals_only=True)[:count]
+		else:
+			# from below zero (1 rad/s), so that free motion is no obstacle; a fixed start vector, since SciPy's own is random
+			values = eigsh(stiffness, count, mass, sigma=-1.0, return_eigenvectors=False, v0=np.ones(len(self.free)))
+		return np.sqrt(np.maximum(np.sort(values), 0)) / (2 * np.pi)
 
 	def maxFrequency(self):
 		"""The largest angular frequency of the structure, all modes of the bricks included [1/s]."""
+		from scipy.linalg import eigh
 		from scipy.sparse.linalg import eigsh
-		start = np.sin(1 + np.arange(len(self.free)))
-		largest = eigsh(self._freePart(self.stiffness), 1, self._freePart(self.mass), which="LM", return_eigenvectors=False, v0=start)
-		return float(np.sqrt(largest[0]))
+		stiffness, mass = self._freePart(self.stiffness), self._freePart(self.mass)
+		if self._isSmall():
+			largest = eigh(stiffness.toarray(), mass.toarray(), eigvals_only=True)[-1]
+		else:
+			start = np.sin(1 + np.arange(len(self.free)))
+			largest = eigsh(stiffness, 1, mass, which="LM", return_eigenvectors=False, v0=start)[0]
+		return float(np.sqrt(largest))
+
+	def _isSmall(self):
+		"""Whether dense matrices do, which ARPACK's iteration does not always for a brick or two."""
+		return len(self.free) <= 200
 
 	def _freePart(self, matrix):
 		return matrix[self.free][:, self.free].tocsc()

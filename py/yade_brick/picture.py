@@ -80,12 +80,13 @@ def wallPicture(
 
 
 def pictureSeries(
-        path, frames, view="elevation", title=None, ground=0.0, limits=None, colorLabel=None, colorRange=None, columns=3, width=12.0, dpi=120
+        path, frames, view="elevation", title=None, ground=0.0, limits=None, colorLabel=None, colorRange=None, columns=3, width=12.0, dpi=120, rowLabels=()
 ):
 	"""Saves several pictures side by side, in the same scale and limits.
 
 	:param frames: list of (time [s] or None, bricks, marks or None), as in wallPicture
 	:param columns: pictures in a row, >= 1
+	:param rowLabels: texts before the titles of the first pictures of the rows, such as the names of two models
 	:param width: of the whole [inches]; the others as in wallPicture
 	"""
 	frames = [(time, [_checkedPatch(brick, index) for index, brick in enumerate(bricks)], _checkedMarks(marks)) for time, bricks, marks in frames]
@@ -98,12 +99,13 @@ def pictureSeries(
 	limits = _checkedLimits(limits) if limits is not None else _limitsAround([brick for _, bricks, _ in frames for brick in bricks], plane, ground, up)
 	scale = _colorScale([brick.color for _, bricks, _ in frames for brick in bricks], colorRange)
 	figure, axes = _panels(len(frames), columns, width, limits, dpi)
-	for ax, (time, bricks, marks) in zip(axes, frames):
+	labels = dict(zip(range(0, len(frames), columns), rowLabels))
+	for index, (ax, (time, bricks, marks)) in enumerate(zip(axes, frames)):
 		_drawGround(ax, ground, limits, bricks, plane)
 		_drawBricks(ax, bricks, plane, toward, scale)
 		_drawMarks(ax, marks, plane, _markSize * min(1.0, math.sqrt(width / min(columns, len(frames)) / 8)))
 		_dressAxes(ax, limits, right, up, toward)
-		texts = [title if len(frames) == 1 else None, f"t = {time:.2f} s" if time is not None else None]
+		texts = [title if len(frames) == 1 else None, labels.get(index), f"t = {time:.2f} s" if time is not None else None]
 		ax.set_title(",  ".join(text for text in texts if text), fontsize=_fontSize + 1)
 	if title and len(frames) > 1:
 		figure.suptitle(title, fontsize=_fontSize + 3)
@@ -370,14 +372,15 @@ def _legendBelow(figure, handles, labels):
 _lineColors = ("#1f4e79", "#c0562f", "#3d7a4a", "#7b4b94", "#8a6d1f", "#555555")
 
 
-def historyPlot(path, time, histories, title=None, timeRange=None, width=12.0, dpi=120):
+def historyPlot(path, time, histories, title=None, timeRange=None, width=12.0, dpi=120, styles=None):
 	"""Saves displacement histories of named bricks, one panel for each of x, y and z, in mm where all stay below 0.1 m.
 
 	:param path: PNG file
 	:param time: (n,) [s]
 	:param histories: dict from name to displacements (n, 3) [m]
 	:param timeRange: (begin, end) [s] to show; by default all
-	:raises ValueError: for no history or one of another shape
+	:param styles: dict from name to what its line shall look like, in matplotlib's words, such as {"A": {"linestyle": "--", "color": "black"}}
+	:raises ValueError: for no history or one of another shape, and for the style of a history that is not there
 	"""
 	time = np.asarray(time, dtype=float)
 	arrays = {name: np.array([tuple(row) for row in values], dtype=float) for name, values in histories.items()}
@@ -386,6 +389,9 @@ def historyPlot(path, time, histories, title=None, timeRange=None, width=12.0, d
 	for name, values in arrays.items():
 		if values.shape != (len(time), 3):
 			raise ValueError(f"history of {name!r} has the shape {values.shape}; allowed is ({len(time)}, 3), as there are {len(time)} times")
+	unknown = sorted(set(styles or ()) - set(arrays))
+	if unknown:
+		raise ValueError(f"styles has {', '.join(map(repr, unknown))}; allowed are the histories {', '.join(map(repr, arrays))}")
 	shown = slice(None) if timeRange is None else (time >= timeRange[0]) & (time <= timeRange[1])
 	largest = max(np.nanmax(np.abs(values[shown]), initial=0.0) for values in arrays.values())
 	unit, factor = ("mm", 1e3) if largest < 0.1 else ("m", 1.0)
@@ -393,7 +399,7 @@ def historyPlot(path, time, histories, title=None, timeRange=None, width=12.0, d
 	FigureCanvasAgg(figure)
 	for axis, ax in enumerate(figure.subplots(1, 3)):
 		for (name, values), color in zip(arrays.items(), _lineColors * len(arrays)):
-			ax.plot(time[shown], factor * values[shown, axis], label=name, color=color, linewidth=1.4)
+			ax.plot(time[shown], factor * values[shown, axis], label=name, **{"color": color, "linewidth": 1.4, **(styles or {}).get(name, {})})
 		ax.set_title(f"{'xyz'[axis]} direction", fontsize=_fontSize + 1)
 		ax.set_xlabel("time [s]", fontsize=_fontSize)
 		ax.set_ylabel(f"displacement [{unit}]", fontsize=_fontSize)

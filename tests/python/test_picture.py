@@ -68,6 +68,17 @@ class PictureTest(unittest.TestCase):
 		# The blue brick is in both frames, the red one, as large, in one.
 		self.assertAlmostEqual(self.share("#0000ff") / self.share("#ff0000"), 2, delta=0.3)  # edges and round-off of pixels
 
+	def test_rows_may_be_labelled(self):
+		pixels = []
+		for labels in ((), ("RIGID", "DEFORM")):
+			picture.pictureSeries(self.path, [(0.5 * i, wall(), None) for i in range(4)], columns=2, width=8, dpi=60, rowLabels=labels)
+			pixels.append(matplotlib.image.imread(self.path)[:, :, :3].mean(axis=2))
+		# Only the titles of the first pictures of the two rows differ: two bands of rows of pixels, all in the left half.
+		changed = np.abs(pixels[1] - pixels[0]) > 0.1
+		rows = np.flatnonzero(changed.any(axis=1))
+		self.assertEqual(np.count_nonzero(np.diff(rows) > 50), 1)
+		self.assertFalse(changed[:, changed.shape[1] // 2:].any())
+
 	def test_near_brick_hides_the_far_one_whatever_their_order(self):
 		near, far = (cuboid((0, -1, 0.1)), "#0000ff"), (cuboid((0, 1, 0.1)), "#ff0000")
 		for bricks in ([near, far], [far, near]):
@@ -118,6 +129,15 @@ class PictureTest(unittest.TestCase):
 		histories = {"A": np.outer(time, [1, 2, 3]), "B": np.full((50, 3), np.nan)}
 		picture.historyPlot(self.path, time, histories, title="A and B", timeRange=(0, 1), width=9, dpi=100)
 		self.assertEqual(self.size(), (900, 324))
+
+	def test_lines_of_histories_look_as_asked_for(self):
+		picture.historyPlot(self.path, [0, 1], {"A": np.zeros((2, 3)), "B": np.ones((2, 3))}, styles={"B": {"color": "#00ff00", "linewidth": 5}})
+		self.assertGreater(self.share("#00ff00"), 1e-3)
+		self.assertGreater(self.share(picture._lineColors[0]), 1e-4)
+
+	def test_style_of_an_unknown_history_is_refused(self):
+		with self.assertRaisesRegex(ValueError, "'C'.*'A'"):
+			picture.historyPlot(self.path, [0, 1], {"A": np.zeros((2, 3))}, styles={"C": {}})
 
 	def test_bad_histories_are_refused(self):
 		for histories, words in (({}, "empty"), ({"A": np.zeros((3, 3))}, "'A'.*\\(3, 3\\).*\\(2, 3\\)")):

@@ -166,6 +166,17 @@ class IntactAssemblyCase(Scene):
 		self.assertLess(2 * math.pi * first[-1], assembled().maxFrequency())
 		self.expectRefusal(ValueError, ('count', '0'), lambda: assembled().frequencies(0))
 
+	def test_frequencies_of_what_nothing_holds(self):
+		for columns in (1, 4):  # dense, sparse
+			O.reset()
+			self.tower()
+			O.bodies.erase(0)
+			O.bodies.append(straightJointWall(columns, 3, (SIDE, SIDE, SIDE), origin=(1, 0, 0), material=O.materials[0]).bodies)
+			MortarJoints()()
+			found = assembled().frequencies(13)  # two bodies, six free motions each
+			self.assertLess(found[11], 1e-2)
+			self.assertGreater(found[12], 1)
+
 	def test_held_coordinates(self):
 		self.tower()
 		self.bricks[0].state.blockedDOFs = 'xZ'
