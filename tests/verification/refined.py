@@ -4,6 +4,7 @@
 import numpy as np
 
 from cases import *
+from yade_brick.build import cornerSigns
 
 STIFFER = 5e5  # glue against the element behind it: gives way by some 2e-6 of what the element does, and costs about as much in round-off
 
@@ -44,18 +45,44 @@ def corners(b):
 	return np.array([list(x) for x in b.shape.worldCorners(b.state)])
 
 
+def skew(x):
+	return np.array([[0, -x[2], x[1]], [x[2], 0, -x[0]], [-x[1], x[0], 0]])
+
+
 def cornerMap(assembly, b):
 	"""Displacement of the eight corners (24) per unit coordinate of the brick (see assembled): the contact part turns with the brick and moves as its node does."""
 	nodal = assembly.nodalMap(b.id).copy()
 	if b.shape.deformation != 'rigid' and b.shape.inner == 'inset':
-		away = b.shape.contactThickness * np.sign(corners(b) - np.array(list(b.state.pos)))
-		for a, (x, y, z) in enumerate(away):
-			nodal[3 * a:3 * a + 3, 3:6] += [[0, z, -y], [-z, 0, x], [y, -x, 0]]
+		away = b.shape.contactThickness * np.sign(corners(b) - b.state.pos)
+		nodal[:, 3:6] -= np.concatenate([skew(x) for x in away])
 	return nodal
+
+
+def misorderedNodes(assembly, b):
+	"""Displacement of the nodes (24) of an inset cuboid per unit coordinate as some references have it: like nodalMap, but the rotation with which a corner moves about its node
+	is half the curl at the middle, and taken with the nodes in a wrong order: those counted with z fastest for those in the order of Brick.corners. To show that this is what sets
+	a reference apart.
+	"""
+	away = b.shape.contactThickness * np.sign(corners(b) - b.state.pos)
+	nodes = corners(b) - b.state.pos - away
+	counted = np.lexsort((nodes[:, 2], nodes[:, 1], nodes[:, 0]))
+	taken = np.empty_like(nodes)
+	taken[counted] = np.array(cornerSigns) * np.abs(nodes)
+	# x / (8 x^2) of the nodes is the derivative by x at the middle
+	rotation = np.concatenate([skew(1 / (16 * x)) for x in taken], axis=1)
+	corner = np.eye(24) - np.concatenate([skew(x) for x in away]) @ rotation
+	return np.linalg.solve(corner, cornerMap(assembly, b))
+
+
+def innerStiffness(b):
+	"""Of the inner hexahedron of a cuboid (24, 24), world axes [N/m]."""
+	inset = b.shape.contactThickness * np.sign(corners(b) - b.state.pos) if b.shape.inner == 'inset' else 0
+	nodes = [Vector3(*x) for x in corners(b) - b.state.pos - inset]
+	return np.array(Brick.stiffness(nodes, b.material.young, b.material.poisson, b.shape.element)).reshape(24, 24)
 
 
 def consistentMass(b):
 	"""Of a cuboid with trilinear displacement, (24, 24) [kg]."""
-	sign = np.sign(corners(b) - np.array(list(b.state.pos)))
+	sign = np.sign(corners(b) - b.state.pos)
 	same = (1 + (sign[:, None, :] == sign[None, :, :])) / 6
 	return b.state.mass * np.kron(same.prod(axis=2), np.eye(3))
