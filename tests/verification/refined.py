@@ -50,7 +50,8 @@ def skew(x):
 
 
 def cornerMap(assembly, b):
-	"""Displacement of the eight corners (24) per unit coordinate of the brick (see assembled): the contact part turns with the brick and moves as its node does."""
+	"""Displacement of the eight corners (24) per unit coordinate of the brick (see assembled): the contact part turns with the brick and moves as its
+	node does."""
 	nodal = assembly.nodalMap(b.id).copy()
 	if b.shape.deformation != 'rigid' and b.shape.inner == 'inset':
 		away = b.shape.contactThickness * np.sign(corners(b) - b.state.pos)
@@ -59,10 +60,9 @@ def cornerMap(assembly, b):
 
 
 def misorderedNodes(assembly, b):
-	"""Displacement of the nodes (24) of an inset cuboid per unit coordinate as some references have it: like nodalMap, but the rotation with which a corner moves about its node
-	is half the curl at the middle, and taken with the nodes in a wrong order: those counted with z fastest for those in the order of Brick.corners. To show that this is what sets
-	a reference apart.
-	"""
+	"""Displacement of the nodes (24) of an inset cuboid per unit coordinate as some references have it: like nodalMap, but the rotation with which a
+	corner moves about its node is half the curl at the middle, and taken with the nodes in a wrong order: those counted with z fastest for those in
+	the order of Brick.corners. To show that this is what sets a reference apart."""
 	away = b.shape.contactThickness * np.sign(corners(b) - b.state.pos)
 	nodes = corners(b) - b.state.pos - away
 	counted = np.lexsort((nodes[:, 2], nodes[:, 1], nodes[:, 0]))

@@ -32,28 +32,31 @@ class FourElementsAlongAnEdge(walls.WallCase):
 			self.atMost(label, four[key], limit, 'linear elements of 0.05 m at a clamped edge')
 			self.atMost(label + ', part of that at n=2', four[key] / two[key], .65, 'first order at the clamped edge, second elsewhere')
 			if r == 1e-3:
-				self.curve('Refinement of the straight-joint wall, r = 1 mm', key, (1, 2, 4), (one[key], two[key], four[key]), 'elements along an edge', 'relative error', True, True)
+				errors = one[key], two[key], four[key]
+				self.curve('Refinement of the straight-joint wall, r = 1 mm', key, (1, 2, 4), errors, 'elements along an edge', 'relative error', True, True)
 
 	def test_straight_joints(self):
-		"""Displacements and stresses with r = 0.1, 1 and 5 mm. Expected: finite elements of the same mesh with joints of zero thickness, solved independently; and, as the end of the
-		refinement n = 1, 2, 4, three-dimensional elasticity.
-		"""
+		"""Displacements and stresses with r = 0.1, 1 and 5 mm. Expected: finite elements of the same mesh with joints of zero thickness, solved
+		independently; and, as the end of the refinement n = 1, 2, 4, three-dimensional elasticity."""
 		for r in (1e-3, 1e-4, 5e-3):
 			wall = self.finest('straight', r)
 			self.checkIndependent('straight', r, wall)
 			self.checkElasticity(r, wall)
 			if r != 1e-3: continue
 			got = walls.quantities(wall)
-			self.curve('Sideways displacement of the edge, straight joints', 'incompatible, 4^3 a brick', got['edge'], walls.COURSES, line=False)
-			self.curve('Mean stress of the vertical joint in the middle, straight joints', 'incompatible, 4^3 a brick', got['stress'], walls.COURSES, line=False)
+			self.curve(walls.EDGE, 'incompatible, 4^3 a brick', got['edge'], walls.COURSES, line=False)
+			self.curve(walls.MIDDLE, 'incompatible, 4^3 a brick', got['stress'], walls.COURSES, line=False)
 
 	def test_without_layers(self):
-		"""The straight-joint wall with all faces glued is a continuum: against three-dimensional elasticity, as the end of the refinement n = 1, 2, 4."""
+		"""The straight-joint wall with all faces glued is a continuum: against three-dimensional elasticity, as the end of the refinement n = 1,
+		2, 4."""
 		self.checkElasticity(0, walls.elasticWall(4, 0))
 
 	def test_english_bond(self):
-		"""The English bond wall with r = 0.1 and 1 mm, against independent finite elements of the same mesh: no tension in the beds, where one element a brick locks."""
+		"""The English bond wall with r = 0.1 and 1 mm, against independent finite elements of the same mesh: no tension in the beds, where one
+		element a brick locks."""
 		for r in (1e-3, 1e-4):
 			wall = self.finest('english', r)
 			self.checkIndependent('english', r, wall)
-			self.atMost('r=%g mm: largest tension of beds [Pa]' % (1e3 * r), wall.strengthUse('bed')['max_tension'], -3.3e3, 'the upper course weighs on its bed: 3528 Pa on a mean')
+			tension = wall.strengthUse('bed')['max_tension']
+			self.atMost('r=%g mm: largest tension of beds [Pa]' % (1e3 * r), tension, -3.3e3, 'the upper course weighs on its bed: 3528 Pa on a mean')

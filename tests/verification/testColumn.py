@@ -79,7 +79,8 @@ class Column:
 		"""Lowest frequencies [Hz] and their shapes; stiffness: the assembly's where none is given."""
 		stiffness = self.assembly.stiffness if stiffness is None else stiffness
 		if stiffness.shape[0] < 300:
-			inverse, shapes = eigh(mass.toarray(), stiffness.toarray())  # the largest of 1/omega^2: what is stiff does no harm to the lowest frequencies
+			# for the largest of 1/omega^2: what is stiff does no harm to the lowest frequencies
+			inverse, shapes = eigh(mass.toarray(), stiffness.toarray())
 			values = 1 / inverse
 		else:
 			values, shapes = eigsh(stiffness.tocsc(), count, mass, sigma=0)
@@ -107,9 +108,9 @@ def error(got, expected):
 class OneElementABrick(Case):
 
 	def test_rigid_bricks(self):
-		"""A column of 5 and of 10 rigid bricks, joined with each other and with a rigid base: deflection and shortening of the top under 1 N uniform over it, and
-		frequencies. Expected: an independent solution of the same rigid bodies and springs; with exact rotary inertia both of its masses are ours.
-		"""
+		"""A column of 5 and of 10 rigid bricks, joined with each other and with a rigid base: deflection and shortening of the top under 1 N
+		uniform over it, and frequencies. Expected: an independent solution of the same rigid bodies and springs; with exact rotary inertia both of
+		its masses are ours."""
 		for count in COUNTS:
 			expected = reference('col.N%d.face.rigid.r0.seg4' % count)
 			column = Column(count, deformation='rigid')
@@ -133,10 +134,10 @@ class OneElementABrick(Case):
 					yield 'N=%d %s r=%g mm: ' % (count, element, 1e3 * r), expected, column
 
 	def test_inner_part_of_full_size(self):
-		"""Columns of deformable bricks whose element fills the brick (inner='full'), for the three elements and three thicknesses r of the contact part. Expected:
-		an independent solution in nodal displacements. 'lumped': an eighth of the mass at each node, also for the rotation; 'consistent': trilinear mass, both
-		built by the test from the product's modes and stiffness. The frequencies are the first two in bending, the first in torsion and along the axis.
-		"""
+		"""Columns of deformable bricks whose element fills the brick (inner='full'), for the three elements and three thicknesses r of the contact
+		part. Expected: an independent solution in nodal displacements. 'lumped': an eighth of the mass at each node, also for the rotation;
+		'consistent': trilinear mass, both built by the test from the product's modes and stiffness. The frequencies are the first two in bending,
+		the first in torsion and along the axis."""
 		for label, expected, column in self.columns('face'):
 			self.judge(label + 'deflection [m/N]', column.compliance(0), expected['tip'], 1e-7, DIGITS)
 			self.judge(label + 'shortening [m/N]', column.compliance(2), expected['axial'], 1e-7, DIGITS)
@@ -144,10 +145,9 @@ class OneElementABrick(Case):
 				self.atMost(label + 'worst of four frequencies, %s mass, relative error' % name, self.worst(column, mass, expected[name]), 1e-7, DIGITS)
 
 	def test_inner_part_inset(self):
-		"""The same with the element inset by r (the paper's layout). Deflection and shortening: as before. The reference's frequencies of this layout are off: it takes the rotation
-		of a brick with its nodes in a wrong order, so that two bending frequencies that must be one differ. With that mistake made on purpose our matrices give all its digits, which
-		is judged; what the product gives without it is compared.
-		"""
+		"""The same with the element inset by r (the paper's layout). Deflection and shortening: as before. The reference's frequencies of this
+		layout are off: it takes the rotation of a brick with its nodes in a wrong order, so that two bending frequencies that must be one differ.
+		With that mistake made on purpose our matrices give all its digits, which is judged; what the product gives without it is compared."""
 		for label, expected, column in self.columns('inset'):
 			self.judge(label + 'deflection [m/N]', column.compliance(0), expected['tip'], 1e-7, DIGITS)
 			self.judge(label + 'shortening [m/N]', column.compliance(2), expected['axial'], 1e-7, DIGITS)
@@ -160,9 +160,11 @@ class OneElementABrick(Case):
 			for name, mass in masses.items():
 				misordered = column.mass(lambda b: nodes[b.id].T @ mass(b) @ nodes[b.id])
 				got = column.named(misordered, stiffness.tocsc())
-				self.atMost(label + 'its mistake, %s mass: worst of four frequencies, relative error' % name, max(error(got[k], expected[name][k]) for k in got), 1e-7, DIGITS)
+				worst = max(error(got[kind], expected[name][kind]) for kind in got)
+				self.atMost(label + 'its mistake, %s mass: worst of four frequencies, relative error' % name, worst, 1e-7, DIGITS)
+			reason = "the reference's mistake, and its mass, which is consistent: the product's is exact in rotation, else lumped"
 			for kind, frequency in column.named(column.assembly.mass).items():
-				self.compare(label + kind + ' [Hz]', frequency, expected['consistent'][kind], "the reference's mistake, and its mass: the product's is exact in rotation, else lumped")
+				self.compare(label + kind + ' [Hz]', frequency, expected['consistent'][kind], reason)
 
 
 ONE_ELEMENT = 'one element a brick: full integration is too stiff in bending, B-bar too soft, incompatible modes miss only the warping at the base'
@@ -179,10 +181,9 @@ class AgainstElasticity(Case):
 		return column.compliance(0), column.assembly.frequencies(2)[0]
 
 	def test_what_the_method_gives(self):
-		"""Deflection and first frequency of the method as it is used, with one element a brick and the product's mass (exact rotary inertia), for all elements,
-		layouts and thicknesses, against three-dimensional elasticity with the same layers, and against beams (without layers). The difference is the method's: see
-		the refinement, and the same discrete model solved independently.
-		"""
+		"""Deflection and first frequency of the method as it is used, with one element a brick and the product's mass (exact rotary inertia), for
+		all elements, layouts and thicknesses, against three-dimensional elasticity with the same layers, and against beams (without layers). The
+		difference is the method's: see the refinement, and the same discrete model solved independently."""
 		for count in COUNTS:
 			beam = reference('col.N%d.beam' % count)
 			for r in THICKNESSES:
@@ -191,24 +192,24 @@ class AgainstElasticity(Case):
 					for element in ELEMENTS.values():
 						column = Column(count, element=element, inner=inner, contactThickness=r)
 						label = 'N=%d %s, inner %s, r=%g mm: ' % (count, element, inner, 1e3 * r)
-						reason = ONE_ELEMENT if inner == 'full' else ONE_ELEMENT + '; inset: softer by 1/(1-2r/L)^2, the contact part carries nothing along its faces'
+						reason = ONE_ELEMENT + ('; inset: softer by 1/(1-2r/L)^2, the contact part carries nothing along its faces' if inner == 'inset' else '')
 						self.compare(label + 'deflection [m/N]', column.compliance(0), truth['tip'], reason)
 						self.compare(label + 'f1 [Hz]', column.assembly.frequencies(2)[0], truth['f1'], reason)
 			rigid, continuum = Column(count, deformation='rigid'), self.truth(count, 0)
-			self.compare('N=%d rigid: deflection [m/N]' % count, rigid.compliance(0), continuum['tip'], 'all compliance is in the joints, with no effect of the base')
+			self.compare('N=%d rigid: deflection [m/N]' % count, rigid.compliance(0), continuum['tip'], 'all compliance is in the joints')
 			self.compare('N=%d rigid: f1 [Hz]' % count, rigid.assembly.frequencies(2)[0], continuum['f1'], 'the same')
 			column = Column(count, bonded=False, element='incompatible', inner='full')
+			label, reason = 'N=%d incompatible, no layers: ' % count, 'a beam does not know that the base holds the width'
 			for quantity, got in (('timo', column.compliance(0)), ('axial', column.compliance(2))):
-				self.compare('N=%d incompatible, no layers: %s [m/N]' % (count, quantity), got, beam[quantity], 'a beam does not know that the base holds the width')
+				self.compare(label + quantity + ' [m/N]', got, beam[quantity], reason)
 			named = column.named(column.assembly.mass)
 			for quantity, kind in (('f1_timo', 'B1'), ('f2_timo', 'B2'), ('f_ax', 'A1')):
-				self.compare('N=%d incompatible, no layers: %s [Hz]' % (count, quantity), named[kind], beam[quantity], 'the same, and one element a brick')
+				self.compare(label + quantity + ' [Hz]', named[kind], beam[quantity], reason + '; one element a brick')
 
 	def test_refinement_of_the_element(self):
-		"""Bricks of n^3 glued elements, n = 1, 2, 4, in a column of 5 with r = 1 mm: deflection and first frequency approach elasticity for every element. What is
-		left at n = 4 is the edge of the clamped base, where stresses are singular: errors of a compliance fall with h^1.4 there, and that of full integration,
-		which is more than the singularity's, with h^2 until it has come down to it.
-		"""
+		"""Bricks of n^3 glued elements, n = 1, 2, 4, in a column of 5 with r = 1 mm: deflection and first frequency approach elasticity for every
+		element. What is left at n = 4 is the edge of the clamped base, where stresses are singular: errors of a compliance fall with h^1.4 there,
+		and that of full integration, which is more than the singularity's, with h^2 until it has come down to it."""
 		truth = self.truth(5, 1e-3)
 		for element, limit, leastRate in (('full', .04, 1.6), ('incompatible', .006, 1.2), ('bbar', .01, 1.1)):
 			counts = 1, 2, 4
@@ -218,21 +219,21 @@ class AgainstElasticity(Case):
 			self.atMost(element + ', n=4: deflection, relative error', tips[2], limit, 'measured 3.4, 0.46, 0.86 %: what the singular edge leaves')
 			self.atMost(element + ', n=4: f1, relative error', frequencies[2], .6 * limit, 'half of that of the compliance')
 			self.atMost(element + ': error left by halving h', tips[2] / tips[1], 2**-leastRate, reason)
-			self.curve('Deflection of a column of 5 against elasticity', element, counts, tips, 'elements along an edge of a brick', 'relative error', True, True)
-			self.curve('First frequency of a column of 5 against elasticity', element, counts, frequencies, 'elements along an edge of a brick', 'relative error', True, True)
+			for what, errors in (('Deflection', tips), ('First frequency', frequencies)):
+				figure = what + ' of a column of 5 against elasticity'
+				self.curve(figure, element, counts, errors, 'elements along an edge of a brick', 'relative error', True, True)
 
 	def test_refinement_for_all_thicknesses(self):
-		"""Columns of 5 and 10 of incompatible elements, with n = 1 and 3 along an edge, for layers of 2 r = 0 (all glued) to 10 mm: the truth has the same layers, so
-		that what is left does not depend on them.
-		"""
+		"""Columns of 5 and 10 of incompatible elements, with n = 1 and 3 along an edge, for layers of 2 r = 0 (all glued) to 10 mm: the truth has
+		the same layers, so that what is left does not depend on them."""
 		for count, limit in ((5, .008), (10, .0035)):
 			for r in (0, *THICKNESSES):
 				truth = self.truth(count, r)
 				one, three = (self.refined(count, n, r, 'incompatible') for n in (1, 3))
 				label = 'N=%d r=%g mm: ' % (count, 1e3 * r)
-				self.atMost(label + 'deflection at n=3, relative error', error(three[0], truth['tip']), limit, 'the clamped edge, whose share falls with the length')
+				self.atMost(label + 'deflection at n=3, relative error', error(three[0], truth['tip']), limit, 'the clamped edge; its share falls with the length')
 				self.atMost(label + 'its part of that at n=1', error(three[0], truth['tip']) / error(one[0], truth['tip']), .5, 'it falls')
-				self.atMost(label + 'f1 at n=3, relative error', error(three[1], truth['f1']), .7 * limit, 'half of that of the compliance and mass lumped in the parts')
+				self.atMost(label + 'f1 at n=3, relative error', error(three[1], truth['f1']), .7 * limit, 'half of that of the compliance')
 
 
 class AgainstCalculiX(Case):
@@ -242,9 +243,9 @@ class AgainstCalculiX(Case):
 		return Column(count, n, bonded=False, segments=2, element=element, inner='full')
 
 	def test_same_elements(self):
-		"""Glued columns with n^3 elements a brick, against CalculiX 2.20: its C3D8 is 'full', its C3D8I 'incompatible'. Deflections, and for C3D8 ten frequencies with
-		the consistent mass that the test builds. C3D8I's frequencies are compared only: CalculiX's mass is another for that element (its static stiffness is ours).
-		"""
+		"""Glued columns with n^3 elements a brick, against CalculiX 2.20: its C3D8 is 'full', its C3D8I 'incompatible'. Deflections, and for C3D8
+		ten frequencies with the consistent mass that the test builds. C3D8I's frequencies are compared only: CalculiX's mass is another for that
+		element (its static stiffness is ours)."""
 		reason = 'glue gives way by 2e-6 of an element, more in bending; round-off of its stiffness; seven digits'
 		for count in COUNTS:
 			for n in (1, 2):
@@ -261,7 +262,8 @@ class AgainstCalculiX(Case):
 				self.compare('N=%d C3D8I n=%d: f1 [Hz]' % (count, n), got, expected['freq'][0], "CalculiX's mass of C3D8I is not ours")
 
 	def test_quadratic_elements(self):
-		"""What three linear elements along an edge (27 a brick) give against CalculiX's quadratic ones with reduced integration, 2 and 4 along an edge."""
+		"""What three linear elements along an edge (27 a brick) give against CalculiX's quadratic ones with reduced integration, 2 and 4 along an
+		edge."""
 		for count in COUNTS:
 			column = self.column(count, 'incompatible', 3)
 			for n in (2, 4):
@@ -274,9 +276,8 @@ class AgainstCalculiX(Case):
 class InTheLoop(Case):
 
 	def test_release(self):
-		"""A column of 5 with r = 5 mm stands bent under 0.5 N at its top brick (StaticEquilibrium) and is released in the engine loop. Its part in the first mode, taken
-		with the mass, has to be a cosine with the structure's first frequency and undamped. Rigid bricks and all elements.
-		"""
+		"""A column of 5 with r = 5 mm stands bent under 0.5 N at its top brick (StaticEquilibrium) and is released in the engine loop. Its part in
+		the first mode, taken with the mass, has to be a cosine with the structure's first frequency and undamped. Rigid bricks and all elements."""
 		for deformation, element in (('rigid', 'full'), ('trilinear', 'full'), ('trilinear', 'incompatible'), ('trilinear', 'bbar')):
 			column = Column(5, deformation=deformation, element=element, inner='full', contactThickness=5e-3)
 			mass = column.assembly.mass
@@ -298,8 +299,10 @@ class InTheLoop(Case):
 			crossing = [i for i in range(1, len(parts)) if parts[i - 1] * parts[i] < 0]
 			zeros = [times[i] - O.dt * parts[i] / (parts[i] - parts[i - 1]) for i in crossing]
 			label = '%s %s: ' % (deformation, element)
-			self.judge(label + 'f1 [Hz]', (len(zeros) - 1) / (2 * (zeros[-1] - zeros[0])), frequency, 1e-5, 'leap-frog is fast by (omega dt)^2/24, 7e-6 for rigid bricks')
-			self.judge(label + 'amplitude after two periods', parts[times > 1.9 / frequency].max(), 1, 5e-5, 'nothing damps; the start is at rest half a step before')
+			got = (len(zeros) - 1) / (2 * (zeros[-1] - zeros[0]))
+			self.judge(label + 'f1 [Hz]', got, frequency, 1e-5, 'leap-frog is fast by (omega dt)^2/24, 7e-6 for rigid bricks')
+			amplitude = parts[times > 1.9 / frequency].max()
+			self.judge(label + 'amplitude after two periods', amplitude, 1, 5e-5, 'nothing damps; the start is at rest half a step before')
 			self.curve('A column of 5 released', label[:-2], times[::20] * frequency, parts[::20], 'periods', 'first mode, part of its start')
 
 	def state(self, column):

@@ -9,6 +9,7 @@ SIDE, COURSES = .2, 6
 
 
 class RigidWallUnderSelfWeight(Case):
+	"""Settled by the engine loop with local damping, not by the direct solution (see testWallWeight), so that each checks the other."""
 
 	def settlement(self, onBricks):
 		mortar = material(mortar=Mortar(**UNBREAKABLE))
@@ -30,12 +31,15 @@ class RigidWallUnderSelfWeight(Case):
 
 	def check(self, id, onBricks):
 		for k, (course, expected) in enumerate(zip(self.settlement(onBricks), reference(id)['uz'])):
-			for got in (min(course), max(course)):
-				self.judge('uz of course %d [m]' % (k + 1), got, expected, 1e-6, 'linear springs at rest: what is left is the approach to rest')
+			for which, got in (('least', min(course)), ('largest', max(course))):
+				self.judge('%s uz in course %d [m]' % (which, k + 1), got, expected, 1e-6, 'linear springs at rest: what is left is the approach to rest')
 		self.judge('sideways [m]', self.sideways, 0, 1e-12, 'rigid bricks have no Poisson effect')
 
 	def test_on_ground(self):
+		"""6 x 6 rigid cubes with straight joints on a rigid support, which has no length of its own. Expected: springs in series, each joint of
+		two half bricks, the lowest of one."""
 		self.check('wall.brick.rigid_closed_ground_l=0', False)
 
 	def test_on_fixed_bricks(self):
+		"""The same on a fixed course of such bricks, so that the lowest joint is of two half bricks too."""
 		self.check('wall.brick.rigid_closed_ground_l=0.1', True)
