@@ -11,6 +11,7 @@ import numpy as np
 
 side, courses = 0.2, 6  # of a brick [m]; of the walls
 openJoint = 0.01 * side  # a head joint that gapes as wide is open: a crack that is seen [m]
+leastSpread, leastStress = 1e-6, 1.0  # what counts as a spread [m] and as a stress between neighbours [Pa], not as round-off
 similar = 0.1  # two models nearly agree when times of collapse and shares of bricks fallen differ by no more
 
 #: Mean stress along the wall at its middle, by course from below [Pa]: elasticity with the bonded base held, joints of 2 r = 2 mm,
@@ -57,6 +58,10 @@ class Outcome:
 	def middleStress(self):
 		"""Stress of the head joint nearest the wall's middle, by course from below [Pa]."""
 		return [stresses[len(stresses) // 2] for stresses in self.result["atRest"]["headJointStress"]]
+
+	def sectionForce(self):
+		"""Force of the middle head joints on each other, all courses of a straight wall together, tension positive [N]."""
+		return sum(self.middleStress()) * side**2
 
 	def courseStress(self):
 		"""Mean stress of the head joints, by course from below [Pa]."""
@@ -143,11 +148,12 @@ def spreadFinding(outcomes):
 	parts, ok = [], []
 	for bond in ("straight", "english"):
 		rigid, deform = ([abs(outcomes[bond, model, "x"][0].largestSpread(axis)) for axis in "xy"] for model in ("rigid", "deform"))
-		ok += [deform[axis] > 1000 * rigid[axis] for axis in range(2)]
+		ok += [deform[axis] > leastSpread and rigid[axis] < 1e-3 * leastSpread for axis in range(2)]
 		parts.append(f"{bond}: DEFORM {1e4 * deform[0]:.2f}e-4 m in x, {1e4 * deform[1]:.2f}e-4 m in y; RIGID {rigid[0]:.0e} and {rigid[1]:.0e} m")
 	return Finding(
 	        1, "Under self weight DEFORM spreads sideways (x and y) by Poisson's effect, RIGID by nothing",
-	        "half width of a course grows 1000 times more in DEFORM than in RIGID, in x and y, in both walls; in part: in some of these",
+	        f"half width of a course grows by over {leastSpread:g} m in DEFORM and by less than a thousandth of that in RIGID, in x and y, in both walls; "
+	        "in part: in some of these",
 	        verdict(all(ok), any(ok)), "; ".join(parts)
 	)
 
@@ -155,16 +161,16 @@ def spreadFinding(outcomes):
 def prestressFinding(outcomes):
 	deform, rigid = (outcomes["straight", model, "x"][0] for model in ("deform", "rigid"))
 	stress = deform.middleStress()
-	pressed = [course + 1 for course, value in enumerate(stress) if value < 0]
-	resultant, thrust = sum(stress) * side**2, deform.result["atRest"]["baseThrust"]
+	pressed = [course + 1 for course, value in enumerate(stress) if value < -leastStress]
 	numbers = (
 	        f"DEFORM, middle joint, courses 1 to {courses}: {', '.join(f'{value:.0f}' for value in stress)} Pa; pressed together: "
-	        f"{', '.join(map(str, pressed)) or 'none'}. Sum over the section {resultant:.0f} N; the ground holds the half wall with {thrust:.0f} N: "
-	        f"the prestress is the reaction of the base. RIGID: {max(map(abs, rigid.middleStress())):.0e} Pa"
+	        f"{', '.join(map(str, pressed)) or 'none'}. Sum over the section {deform.sectionForce():.0f} N; the ground holds the half wall with "
+	        f"{deform.result['atRest']['baseThrust']:.0f} N: the prestress is the reaction of the base. RIGID: {max(map(abs, rigid.middleStress())):.0e} Pa"
 	)
 	return Finding(
 	        2, "Straight joints: Poisson's effect presses neighbours together, a prestress",
-	        "compression in the middle head joint of every course of DEFORM; in part: of some courses", verdict(len(pressed) == courses, pressed), numbers
+	        f"over {leastStress:g} Pa of compression in the middle head joint of every course of DEFORM; in part: of some courses",
+	        verdict(len(pressed) == courses, pressed), numbers
 	)
 
 
@@ -223,8 +229,8 @@ def outOfPlaneFinding(outcomes):
 		)
 	return Finding(
 	        6, "Out of plane the two models nearly agree",
-	        f"both fall or both stand, times of collapse within {100 * similar:.0f} %, bricks fallen within {100 * similar:.0f} % of all; in part: in one wall, or "
-	        "only as to whether they fall", verdict(all(full for _, full in agree), all(same for same, _ in agree) or any(full for _, full in agree)),
+	        f"both fall or both stand, times of collapse within {100 * similar:.0f} %, bricks fallen within {100 * similar:.0f} % of all; in part: in one "
+	        "wall, or only as to whether they fall", verdict(all(full for _, full in agree), all(same for same, _ in agree) or any(full for _, full in agree)),
 	        "; ".join(parts)
 	)
 
@@ -261,12 +267,13 @@ def wallRow(key, runs):
 	times = spanText([run.collapse if run.collapse is not None else np.inf for run in runs])
 	spread = [f"{1e4 * first.largestSpread(axis):.2f}" for axis in "xy"]
 	half = first.result["halfFailed"]
-	return [bond, model.upper(), direction, *modes, timeText(half) if half is not None else "-", times, f"{countText(runs)} of {first.bricks}", *spread]
+	gained = f"{max(run.result['energyGained'] for run in runs):.0f}"
+	return [bond, model.upper(), direction, *modes, timeText(half) if half is not None else "-", times, f"{countText(runs)} of {first.bricks}", *spread, gained]
 
 
 wallHeadings = [
         "wall", "model", "motion", "first crack in tension", "in shear", "in compression", "half of all segments failed", "collapse", "bricks fallen",
-        "spread x [1e-4 m]", "spread y [1e-4 m]"
+        "spread x [1e-4 m]", "spread y [1e-4 m]", "energy gained without work [J]"
 ]
 
 

@@ -40,7 +40,7 @@ def options(description, out):
 	parser.add_argument("--segments", type=int, default=4, help="segments along each edge of a face (default: 4)")
 	parser.add_argument("--young", type=float, default=9.8e6, help="Young's modulus of bricks and mortar [Pa] (default: 9.8e6)")
 	parser.add_argument("--poisson", type=float, default=0.25, help="Poisson's ratio of bricks and mortar (default: 0.25)")
-	parser.add_argument("--element", choices=("full", "incompatible", "bbar"), default="full", help="finite element of the inner part (default: full, the paper's)")
+	parser.add_argument("--element", choices=("full", "incompatible", "bbar"), default="full", help="finite element of the inner part (default: full)")
 	parser.add_argument("--inner", choices=("inset", "full"), default="inset", help="inner part r inside the brick's corners (the paper), or at them")
 	parser.add_argument("--hn", type=float, default=0.1, help="damping ratio of the normal contact dashpots (default: 0.1)")
 	parser.add_argument("--hs", type=float, default=0.1, help="damping ratio of the tangential contact dashpots (default: 0.1)")
@@ -73,7 +73,8 @@ def brickOptions(chosen):
 	phi = math.radians(32)
 	mortar = yade_brick.Mortar(tensileStrength=4.6e3, cohesion=2.9e3, frictionAngle=phi, compressiveStrength=4.9e5)
 	adobe = yade_brick.BrickMat(
-	        young=chosen.young, poisson=chosen.poisson, density=density, frictionAngle=phi, mortar=mortar, hn=chosen.hn, hs=chosen.hs, dampingRatio=chosen.damping_ratio
+	        young=chosen.young, poisson=chosen.poisson, density=density, frictionAngle=phi, mortar=mortar, hn=chosen.hn, hs=chosen.hs,
+	        dampingRatio=chosen.damping_ratio
 	)
 	deformation = "rigid" if chosen.model == "rigid" else "trilinear"
 	return {
@@ -127,8 +128,9 @@ class WallRun:
 	def shake(self, motion):
 		"""Applies the ground motion and records what happens."""
 		self.motion = motion
-		O.engines = O.engines[:-1] + [build.groundMotion(motion, startTime=O.time)] + O.engines[-1:]
-		self.recorder = Recorder(self.masonry, self.unloaded, self.law, self.chosen.duration)
+		ground = build.groundMotion(motion, startTime=O.time)
+		O.engines = O.engines[:-1] + [ground] + O.engines[-1:]
+		self.recorder = Recorder(self.masonry, self.unloaded, self.law, self.chosen.duration, EnergyBalance(self.masonry, ground))
 		self.stage = progress.runWithProgress(duration=self.chosen.duration, label="shaking", every=lookEvery, callback=self.recorder.look)
 		self.rested = rest.restState()
 
@@ -265,20 +267,43 @@ def jointStresses(masonry):
 	"""Mean normal stress of each head joint [Pa], tension positive, by course from below and in each from the left; the largest tension of a
 	segment of a bed joint [Pa]; and the horizontal force with which the ground holds the left half of the wall together [N].
 	"""
-	headJoints, bedTension, thrust = [[] for _ in masonry.courses], -math.inf, 0
+	headJoints, bedTension, thrust, bricks = [[] for _ in masonry.courses], -math.inf, 0, set(masonry.ids)
 	for joint in (i for i in O.interactions if i.isReal and i.phys.jointed):
 		stress, areas, place = joint.phys.normalStress(joint.geom), joint.phys.segmentArea, joint.geom.contactPoint
 		if abs(joint.geom.normal[0]) > 0.5:
 			headJoints[int(place[2] / side)].append((place[0], float(np.average(stress, weights=areas))))
 			continue
 		bedTension = max(bedTension, *stress)
-		if place[2] < 0.5 * side:
-			points, shear = joint.phys.segmentPoints(joint.geom), joint.phys.shearStress(joint.geom)
-			thrust += sum(-shear[k][0] * areas[k] for k in range(len(areas)) if points[k][0] < 0.5 * columns * side)
+		if place[2] < 0.5 * side and place[0] < 0.5 * columns * side:
+			onBrick = joint.phys.normalForce + joint.phys.shearForce  # acts on id2
+			thrust += onBrick[0] if joint.id2 in bricks else -onBrick[0]
 	return [[stress for _, stress in sorted(course)] for course in headJoints], bedTension, thrust
 
 
 # ---- 5. what is recorded -------------------------------------------------------------------------------------------------------
+
+
+class EnergyBalance:
+	"""Energy of the bricks (kinetic, elastic, height) less the work of the ground motion: friction, dashpots and cracks lower it, nothing may raise it.
+
+	The work is summed from look to look, which misses a few J of an impact that falls between two.
+	"""
+
+	def __init__(self, masonry, ground):
+		self.bodies, self.ground = masonry.bodies, ground
+		self.masses = np.array([body.state.mass for body in masonry.bodies])
+		self.work, self.power, self.time = 0, 0, O.time
+		self.lowest, self.gained = math.inf, 0
+
+	def look(self):
+		momentum = self.masses @ np.array([tuple(body.state.vel) for body in self.bodies])
+		power = -float(momentum @ tuple(self.ground.groundAcceleration(O.time)))
+		self.work += 0.5 * (power + self.power) * (O.time - self.time)
+		self.power, self.time = power, O.time
+		state, heights = rest.restState(), [body.state.pos[2] for body in self.bodies]
+		balance = state.kinetic + state.elastic + gravity * float(self.masses @ heights) - self.work
+		self.lowest = min(self.lowest, balance)
+		self.gained = max(self.gained, balance - self.lowest)
 
 
 class Recorder:
@@ -290,8 +315,8 @@ class Recorder:
 
 	pictureShares = (0, 0.25, 0.35, 0.45, 0.6, 1)  # of the duration: the shapes in wall.png
 
-	def __init__(self, masonry, unloaded, law, duration):
-		self.masonry, self.law, self.start = masonry, law, O.time
+	def __init__(self, masonry, unloaded, law, duration, energy):
+		self.masonry, self.law, self.start, self.energy = masonry, law, O.time, energy
 		top = {"A": len(masonry.bodies) - len(masonry.courses[-1]), "B": len(masonry.bodies) - 1}
 		outward = {"A": (-1, -1, 1), "B": (1, -1, 1)}
 		self.followed = {name: (brick, int((unloaded[brick] @ outward[name]).argmax())) for name, brick in top.items()}
@@ -312,6 +337,7 @@ class Recorder:
 		for mode, count in failures(self.law).items():
 			self.failures[mode].append(count)
 		self.joints.update()
+		self.energy.look()
 		if self.pending and now >= self.pending[0] - 0.5 * O.dt:
 			self.pending.pop(0)
 			self.frames.append((now, snapshot.patches(self.masonry.bodies), self.joints.marks()))
@@ -335,6 +361,7 @@ class Recorder:
 		        "halfFailed": self.firstTime(np.sum(list(self.failures.values()), axis=0) >= 0.5 * self.joints.segmentCount()),
 		        "collapse": self.firstTime(down),
 		        "bricksFallen": self.fallen(),
+		        "energyGained": self.energy.gained,
 		}
 
 	def firstTime(self, happened):

@@ -372,6 +372,17 @@ def _legendBelow(figure, handles, labels):
 _lineColors = ("#1f4e79", "#c0562f", "#3d7a4a", "#7b4b94", "#8a6d1f", "#555555")
 
 
+#: A panel shows at least this share of the largest displacement, so that what stands still is drawn as a line and not as round-off.
+flatShare = 1e-4
+
+
+def _widened(limits, span):
+	"""The limits, or `span` around their middle if that is wider."""
+	low, high = limits
+	half = 0.5 * max(high - low, span)
+	return 0.5 * (low + high) - half, 0.5 * (low + high) + half
+
+
 def historyPlot(path, time, histories, title=None, timeRange=None, width=12.0, dpi=120, styles=None):
 	"""Saves displacement histories of named bricks, one panel for each of x, y and z, in mm where all stay below 0.1 m.
 
@@ -400,6 +411,7 @@ def historyPlot(path, time, histories, title=None, timeRange=None, width=12.0, d
 	for axis, ax in enumerate(figure.subplots(1, 3)):
 		for (name, values), color in zip(arrays.items(), _lineColors * len(arrays)):
 			ax.plot(time[shown], factor * values[shown, axis], label=name, **{"color": color, "linewidth": 1.4, **(styles or {}).get(name, {})})
+		ax.set_ylim(_widened(ax.get_ylim(), flatShare * factor * largest))
 		ax.set_title(f"{'xyz'[axis]} direction", fontsize=_fontSize + 1)
 		ax.set_xlabel("time [s]", fontsize=_fontSize)
 		ax.set_ylabel(f"displacement [{unit}]", fontsize=_fontSize)

@@ -135,6 +135,11 @@ class PictureTest(unittest.TestCase):
 		self.assertGreater(self.share("#00ff00"), 1e-3)
 		self.assertGreater(self.share(picture._lineColors[0]), 1e-4)
 
+	def test_what_stands_still_is_not_magnified(self):
+		self.assertEqual(picture._widened((1.0, 3.0), 1.0), (1.0, 3.0))
+		self.assertEqual(picture._widened((1.0, 3.0), 4.0), (0.0, 4.0))
+		self.assertEqual(picture._widened((-1e-12, 1e-12), 0.0), (-1e-12, 1e-12))
+
 	def test_style_of_an_unknown_history_is_refused(self):
 		with self.assertRaisesRegex(ValueError, "'C'.*'A'"):
 			picture.historyPlot(self.path, [0, 1], {"A": np.zeros((2, 3))}, styles={"C": {}})
