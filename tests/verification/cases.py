@@ -79,7 +79,7 @@ class Case(unittest.TestCase):
 		)
 		os.makedirs(folder, exist_ok=True)
 		with open(os.path.join(folder, module + '.' + case + '.json'), 'w') as file:
-			json.dump(content, file, indent='\t')
+			json.dump(content, file, indent='\t', default=lambda value: value.item())  # NumPy's numbers
 
 
 def material(**attributes):
