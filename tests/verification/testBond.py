@@ -64,6 +64,7 @@ class BondOfTwoBricks(Case):
 		return self.joint.phys.shearForce.norm()
 
 	def test_tension_of_rigid_bricks(self):
+		"""Two rigid cubes are pulled apart. Expected: the joint carries ft times its area, and opens by ft/kn, with kn of eq. (3) for two half bricks."""
 		self.couplet()
 		self.move()
 		opening, force = self.pull(Vector3(0, 0, 1), self.expected['u_t_rigid'], self.normalForce)
@@ -73,7 +74,43 @@ class BondOfTwoBricks(Case):
 		O.step()
 		self.judge('force afterwards [N]', O.forces.f(self.lower.id).norm(), 0, 0, 'open')
 
+	def test_springs(self):
+		"""Constants of the joint's springs, from the force at a given small opening and slip. Expected: eq. (3), l = 0.1 m for rigid and r = 1 mm for deformable cubes, whose
+		contact parts alone give way when the bricks' centres are held and no time is left for them to deform.
+		"""
+		for level, normal, shear in (('rigid', 'kn_rigid', 'ks_rigid'), ('trilinear', 'kn_r1', 'ks_r1')):
+			for direction, name, force in ((Vector3(0, 0, 1), normal, self.normalForce), (Vector3(1, 0, 0), shear, self.shearForce)):
+				O.reset()
+				self.couplet(level)
+				self.move()
+				self.upper.state.pos += 1e-9 * direction
+				O.step()
+				self.judge('%s: %s [N/m3]' % (level, name), force() / AREA / 1e-9, self.expected[name], 1e-6, '1e-9 m of a coordinate of 0.1 m to its digits')
+
+	def openingAtFailure(self, strength, direction, component):
+		"""Mean displacement between the two faces of a joint of deformable bricks when the first segment fails."""
+		self.couplet('trilinear', **strength)
+		self.move()
+		corners = lambda b, top: sum((x for x in b.shape.worldCorners(b.state)[4 * top:4 * top + 4]), Vector3.Zero) / 4
+		self.upper.state.vel = direction * 1e-8 / O.dt
+		while sum(self.failures().values()) == 0:
+			opening = (corners(self.upper, 0) - corners(self.lower, 1))[component]
+			O.step()
+			if O.iter > 5000: self.fail('no failure')
+		return opening
+
+	def test_opening_of_deformable_bricks(self):
+		"""Two deformable cubes are pulled apart and sheared with their centres held. When the joint fails, its faces are apart by ft/kn, or shifted by c/ks, with the springs of
+		two contact parts of 1 mm; the bricks give way a hundred times as much.
+		"""
+		opening = self.openingAtFailure({}, Vector3(0, 0, 1), 2)
+		self.judge('opening at failure [m]', opening, self.expected['u_t_r1mm'], .012, 'a step moves 1e-8 m, 1.1 % of it')
+		O.reset()
+		slip = self.openingAtFailure(dict(tensileStrength=1e15), Vector3(1, 0, 0), 0)
+		self.compare('mean slip at the first failure [m]', slip, self.expected['u_s_r1mm'], 'the faces bulge: a segment fails while the mean is below')
+
 	def test_tension_of_deformable_bricks(self):
+		"""Two deformable cubes are pulled apart slowly with their centres held. Expected: the joint carries ft times its area all the same."""
 		self.couplet('trilinear')
 		self.move()
 		# the bricks give way too: loaded on one face against their own inertia, so slowly that it is statics
@@ -81,6 +118,7 @@ class BondOfTwoBricks(Case):
 		self.judge('largest force [N]', force, self.expected['tension_N'], .012, 'a step moves 1e-8 m, 1.1 % of the opening of the joint at failure')
 
 	def test_compression(self):
+		"""Two rigid cubes are pressed together, cohesion out of reach. Expected: the cap, eq. (8): fm times the area."""
 		self.couplet(cohesion=1e15)
 		self.move()
 		_, force = self.pull(Vector3(0, 0, -1), FM / self.expected['kn_rigid'], self.normalForce)
@@ -88,6 +126,13 @@ class BondOfTwoBricks(Case):
 		self.judge('segments that fail', self.failures()['compression'], 16, 0, 'all alike')
 
 	def test_shear_under_pressure(self):
+		"""Two rigid cubes are pressed by a given amount and then sheared, the cap out of reach. Expected: Coulomb's line, eq. (7), c + pressure tan(phi), and after failure
+		friction alone, eq. (9).
+		"""
+		figure = 'Shear strength against pressure'
+		pressures = [float(pressure) for pressure in self.expected['shear']]
+		self.curve(figure, 'Coulomb\'s line', pressures, [COHESION + p * self.expected['tan_phi'] for p in pressures], 'pressure [Pa]', 'shear stress [Pa]')
+		self.curve(figure, 'friction alone', pressures, [p * self.expected['tan_phi'] for p in pressures])
 		for pressure, expected in self.expected['shear'].items():
 			O.reset()
 			self.couplet(compressiveStrength=1e15)
@@ -101,8 +146,13 @@ class BondOfTwoBricks(Case):
 			residual = float(pressure) * overlap * self.expected['tan_phi']
 			after = O.forces.f(self.lower.id)
 			self.judge('force afterwards [N]', math.hypot(after[0], after[1]), residual, 1e-4, 'friction alone, eq. (9), on what is still in contact')
+			self.curve(figure, 'largest stress', [float(pressure)], [force / AREA], line=False)
+			self.curve(figure, 'stress after failure', [float(pressure)], [math.hypot(after[0], after[1]) / overlap], line=False)
 
 	def test_cap(self):
+		"""Two rigid cubes are pressed a little less and a little more than where Coulomb's line meets the cap, eq. (8), and sheared. Expected: below, they fail in shear on the
+		line; above, in compression on the cap.
+		"""
 		for name, Cs in (('cap_Cs1', 1), ('cap_Cs9', 9)):
 			sigma, tau = self.expected[name]['sigma'], self.expected[name]['tau']
 			for factor, mode in ((.98, 'shear'), (1.02, 'compression')):
@@ -116,8 +166,32 @@ class BondOfTwoBricks(Case):
 				self.judge('Cs=%g, %g of the corner: largest force [N]' % (Cs, factor), force, limit * AREA, 2 * STEP, REASON)
 				self.judge('segments that fail in ' + mode, self.failures()[mode], 16, 0, 'on either side of the corner another mode')
 
+	def test_cap_alone(self):
+		"""The same with cohesion out of reach, at several pressures. Expected: eq. (8) alone, an ellipse of half axes fm and fm / sqrt(Cs)."""
+		for name, Cs in (('cap_Cs1', 1), ('cap_Cs9', 9)):
+			points = []
+			for share in (.25, .5, .75, .9):
+				O.reset()
+				self.couplet(Cs=Cs, cohesion=1e15)
+				self.move()
+				self.upper.state.pos -= Vector3(0, 0, share * FM / self.expected['kn_rigid'])
+				limit = FM * math.sqrt((1 - share**2) / Cs)
+				_, force = self.pull(Vector3(0, 1, 0), limit / self.expected['ks_rigid'], self.shearForce)
+				wanted = self.expected[name]['tau_at_half_fm'] if share == .5 else limit
+				self.judge('Cs=%g, %g of fm: largest force [N]' % (Cs, share), force, wanted * AREA, 2 * STEP, REASON)
+				points.append((share * FM, force / AREA))
+			figure = 'Compression cap'
+			angles = [math.pi / 2 * k / 60 for k in range(61)]
+			ellipse = [FM * math.sin(a) for a in angles], [FM * math.cos(a) / math.sqrt(Cs) for a in angles]
+			self.curve(figure, 'Cs = %g, exact' % Cs, *ellipse, 'pressure [Pa]', 'shear stress [Pa]')
+			self.curve(figure, 'Cs = %g, ours' % Cs, *zip(*points), line=False)
+
 	def test_bond_wrench(self):
-		for segments in (2, 4, 8):
+		"""The upper of two rigid cubes is turned about the middle of the joint. Expected: the first segment fails at M = ft A L (1 + 1/n) / 6 for n segments along an edge, which
+		take the stress in their middles; by refinement this goes to the moment of a continuous joint.
+		"""
+		moments = {}
+		for segments in (2, 4, 8, 16, 32):
 			O.reset()
 			self.couplet(segments=segments)
 			angle = self.expected['u_t_rigid'] / (SIDE / 2 * (1 - 1 / segments))
@@ -129,6 +203,15 @@ class BondOfTwoBricks(Case):
 				# about the middle of the joint, which is half a side above the lower brick's centre
 				torque = O.forces.t(self.lower.id) - Vector3(0, 0, SIDE / 2).cross(O.forces.f(self.lower.id))
 				moment = max(moment, abs(torque[1]))
-			self.judge(
-			        '%d segments: first crack at [N m]' % segments, moment, self.expected['wrench_M_first_crack']['n=%d' % segments], 2 * STEP, REASON
-			)
+			moments[segments] = moment
+			if segments <= 8:
+				wanted = self.expected['wrench_M_first_crack']['n=%d' % segments]
+				self.judge('%d segments: first crack at [N m]' % segments, moment, wanted, 2 * STEP, REASON)
+		limit = self.expected['wrench_M_first_crack']['n=None']
+		for segments, moment in moments.items():
+			self.compare('%d segments: first crack at [N m]' % segments, moment, limit, 'the method: stress is taken in the middle of a segment')
+		self.judge('extrapolated to a continuous joint [N m]', 2 * moments[32] - moments[16], limit, 6 * STEP, 'error goes with 1/n; each moment is known to 2e-3')
+		figure = 'Bond wrench: first crack'
+		self.curve(figure, 'ours', moments.keys(), moments.values(), 'segments along an edge', 'moment [N m]', True, line=False)
+		self.curve(figure, 'exact for segments', moments.keys(), [limit * (1 + 1 / n) for n in moments])
+		self.curve(figure, 'continuous joint', moments.keys(), [limit] * len(moments))
