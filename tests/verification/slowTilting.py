@@ -42,7 +42,7 @@ class TiltingWalls(Case):
 
 	def follow(self, figure, series, tops, start, far, rate=.6, axis=0):
 		path = Path(tops, start, far, HEIGHT, rate, axis)
-		self.curve(figure, series, *path.thinned(), 'lean of the top [m]', 'tilt of the table [degrees]')
+		self.curve(figure, series, *path.shown(), 'lean of the top [m]', 'tilt of the table [degrees]')
 		return path
 
 	def falls(self, label, tops, degrees, reason):
@@ -75,11 +75,13 @@ class TiltingWalls(Case):
 		path = self.follow('Wall tilted out of plane', 'wall', dryWall('straight', FRICTION, young, 0), .95 * exact, 2 * leans[tilts.index(exact)], .3, axis=1)
 		self.judge('largest tilt [degrees]', path.peak(), exact, 1e-2, TURNED)
 		self.compare('largest tilt [degrees]', path.peak(), expected, SOFTER)
-		shown = [k for k in range(len(leans)) if leans[k] < path.leans[-1]]
+		shown = thinned([k for k in range(len(leans)) if leans[k] < path.leans[-1]])
 		self.curve('Wall tilted out of plane', 'column, exact statics', [leans[k] for k in shown], [tilts[k] for k in shown])
 
 	def test_straight_joints_without_friction_in_heads(self):
-		"""The same wall tilted in plane, bricks of a course half a millimetre apart. Each column turns over alone: exact statics of a column of six, whatever the friction."""
+		"""The same wall tilted in plane, bricks of a course half a millimetre apart. Each column turns over alone: exact statics of a column of six, whatever the
+		friction.
+		"""
 		young, figure = 9.8e8, 'Straight joints, tilted in plane'
 		exact = stackAngle(ROWS, ONE_BRICK, young, SEGMENTS)
 		path = self.follow(figure, 'no friction in heads', dryWall('straight', FRICTION, young, GAP), .95 * exact, .012, .3)
@@ -93,8 +95,8 @@ class TiltingWalls(Case):
 			self.falls('beds %s, 2 %% above' % bed, dryWall('straight', frictionOf(bed), young, GAP), 1.02 * exact, 'no')
 
 	def test_straight_joints_with_friction_in_heads(self):
-		"""The same with bricks that touch. In a linear program the heads' friction carries much, because sliding would press them apart; real friction meets hardly any
-		pressure there. Judged: not below columns without friction (but for what the rate gives), not above the bound.
+		"""The same with bricks that touch. In a linear program the heads' friction carries much, because sliding would press them apart; real friction meets hardly
+		any pressure there. Judged: not below columns without friction (but for what the rate gives), not above the bound.
 		"""
 		young, figure = 9.8e8, 'Straight joints, tilted in plane'
 		exact = stackAngle(ROWS, ONE_BRICK, young, SEGMENTS)
@@ -109,9 +111,9 @@ class TiltingWalls(Case):
 			self.falls('all joints %s, at the bound' % bed, dryWall('straight', frictionOf(bed), young, 0), bound, 'an upper bound')
 
 	def test_english_bond_without_friction_in_heads(self):
-		"""English bond, beds of 32 degrees, bricks of a course half a millimetre apart. A wedge of ten bricks at the lower end turns over about the corner of a half brick
-		when tan = 11/38 (16.1 degrees), see leastOpening: below the reference, which counts on friction in joints that open. Judged: the limit for stiff bricks of
-		the largest tilts of two stiffnesses is that of the wedge; and the wall falls at every reference, which are upper bounds.
+		"""English bond, beds of 32 degrees, bricks of a course half a millimetre apart. A wedge of ten bricks at the lower end turns over about the corner of a
+		half brick when tan = 11/38 (16.1 degrees), see leastOpening: below the reference, which counts on friction in joints that open. Judged: the limit for stiff
+		bricks of the largest tilts of two stiffnesses is that of the wedge; and the wall falls at every reference, which are upper bounds.
 		"""
 		expected, heads = reference('dyn.tilting'), 'english 6x6 mu=(%s, 0.0)'
 		wedge = math.degrees(math.atan(leastOpening(courses('english', 6, ROWS, SIDE), SIDE)))
@@ -128,8 +130,8 @@ class TiltingWalls(Case):
 			self.falls('beds %s, at the bound' % bed, dryWall('english', frictionOf(bed), young[0], GAP), math.degrees(math.atan(bound)), 'an upper bound')
 
 	def test_english_bond_that_cannot_slide(self):
-		"""English bond with friction of 89.9 degrees, heads apart. Friction jams the wedge's stepped joints as long as they are pressed at all; it lets go at once, and may
-		jam again. Judged: the largest tilt lies between that of the free wedge and the bound.
+		"""English bond with friction of 89.9 degrees, heads apart. Friction jams the wedge's stepped joints as long as they are pressed at all; it lets go at once,
+		and may jam again. Judged: the largest tilt lies between that of the free wedge and the bound.
 		"""
 		bound = reference('dyn.tilting')['english 6x6 mu=(None, 0.0)']['deg']
 		wedge = math.degrees(math.atan(leastOpening(courses('english', 6, ROWS, SIDE), SIDE)))

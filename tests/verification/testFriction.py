@@ -78,16 +78,16 @@ class SlidingUnderAPulse(Case):
 		self.judge('slip [m]', slips[-1], expected['slip'], 4e-3, ELASTIC)
 		self.judge('stops at [s]', stopped, expected['t_stop'], 4e-3, ELASTIC)
 		# the slip's velocity begins as the square of the time since it starts: looked for where it has grown to 1 cm/s
-		known = lambda t: top * length / math.pi * (math.cos(math.pi * expected['t_start'] / length) - math.cos(math.pi * t / length)) - friction * (t - expected['t_start'])
-		wanted = next(t for t in np.arange(expected['t_start'], length, 1e-6) if known(t) >= .01)
+		driven = lambda t: -top * length / math.pi * math.cos(math.pi * t / length) - friction * t
+		wanted = next(t for t in np.arange(expected['t_start'], length, 1e-6) if driven(t) - driven(expected['t_start']) >= .01)
 		slides = next(t for t, v in zip(times, self.velocities) if v >= .01)
 		self.judge('slides with 1 cm/s at [s]', slides, wanted, 4e-3, ELASTIC)
 		name = '%s, %s' % (level, 'moving base' if moveGround else 'inertia forces')
 		self.draw('Sliding under half a sine: ' + name, 'ours', times, slips, lambda t: pulse(t) - friction)
 
 	def test_rigid_by_inertia_forces(self):
-		"""A flat rigid block on the ground under a rectangular pulse of ground acceleration, given as inertia forces. Expected: slip and time of rest of a rigid block with
-		Coulomb friction, in closed form. The half-sine pulse of the other tests likewise.
+		"""A flat rigid block on the ground under a rectangular pulse of ground acceleration, given as inertia forces. Expected: slip and time of rest of a rigid
+		block with Coulomb friction, in closed form. The half-sine pulse of the other tests likewise.
 		"""
 		self.rectangle('rigid', False)
 
@@ -129,8 +129,8 @@ class TiltedGravity(Case):
 		return top() - before
 
 	def test_angle_of_slip(self):
-		"""A flat block on a slope 0.2 degrees below and above its angle of friction: it stays at rest below, and slides with the uniform acceleration of a rigid block
-		above. Rigid and deformable.
+		"""A flat block on a slope 0.2 degrees below and above its angle of friction: it stays at rest below, and slides with the uniform acceleration of a rigid
+		block above. Rigid and deformable.
 		"""
 		expected, margin, seconds = reference('dyn.tilt')['slip_deg'], .2, .3
 		for level in ('rigid', 'trilinear'):
@@ -140,8 +140,8 @@ class TiltedGravity(Case):
 			self.judge('%s, %g degrees above: moves [m]' % (level, margin), above, excess * seconds**2 / 2, 1e-3, 'uniform acceleration')
 
 	def test_slowly_steepened_slope(self):
-		"""Gravity turns by 2 degrees a second from 31 to 33.5 degrees. Expected: the slip of a rigid block, integrated; it begins at the angle of friction and grows as the cube
-		of what the slope has turned since.
+		"""Gravity turns by 2 degrees a second from 31 to 33.5 degrees. Expected: the slip of a rigid block, integrated; it begins at the angle of friction and
+		grows as the cube of what the slope has turned since.
 		"""
 		start, end, rate = 31., 33.5, 2.
 		expected = reference('dyn.tilt')
@@ -163,7 +163,8 @@ class TiltedGravity(Case):
 			exact = exactSlip(lambda t: GRAVITY * (math.sin(slope(t)) - expected['mu'] * math.cos(slope(t))), times)
 			for slip in (1e-4, 1e-3):
 				angle = angles[int(np.argmax(np.array(slips) >= slip))]
-				self.judge('%s: has slipped %g m at [degrees]' % (level, slip), angle, start + rate * times[int(np.argmax(exact >= slip))], 1e-3, 'elastic slip; the step of turning')
+				wanted = start + rate * times[int(np.argmax(exact >= slip))]
+				self.judge('%s: has slipped %g m at [degrees]' % (level, slip), angle, wanted, 1e-3, 'elastic slip; the step of turning')
 			# slip grows as the cube of the angle beyond: two of its values give where it begins
 			first, second = (angles[int(np.argmax(np.array(slips) >= slip))] for slip in (1e-4, 8e-4))
 			self.judge('%s: begins to slip at [degrees]' % level, 2 * first - second, expected['slip_deg'], 1e-3, 'from the angles at 0.1 and 0.8 mm, as a cube')
@@ -181,8 +182,8 @@ class TiltedGravity(Case):
 			self.judge('%s: acceleration [m/s2]' % level, (self.block.state.vel[0] - before) / (O.time - time), expected, 1e-4, 'uniform; contact swings a little')
 
 	def test_angle_of_toppling(self):
-		"""Blocks of four slendernesses, rigid and deformable, stand 0.4 degrees below the angle whose tangent is width over height, and fall 0.4 degrees above. How the angle
-		comes to be a little smaller than that, and what springs of the product's stiffness must give, is in the group of the tilting table.
+		"""Blocks of four slendernesses, rigid and deformable, stand 0.4 degrees below the angle whose tangent is width over height, and fall 0.4 degrees above. How
+		the angle comes to be a little smaller than that, and what springs of the product's stiffness must give, is in the group of the tilting table.
 		"""
 		margin = .4
 		for name, expected in reference('dyn.tilt')['topple_deg'].items():

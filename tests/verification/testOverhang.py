@@ -30,17 +30,18 @@ class Overhang(Case):
 		return start - height()
 
 	def test_stacks(self):
-		"""One to six bricks, each pushed out over the one below by 4 % less than it can be, stand; by 4 % more, they fall. Rigid and deformable. Expected: the k-th brick from
-		the top can overhang by L / (2 k); the sums are the references.
+		"""One to six bricks, each pushed out over the one below by 4 % less than it can be, stand; by 4 % more, they fall. Rigid and deformable. Expected: the k-th
+		brick from the top can overhang by L / (2 k); the sums are the references.
 		"""
 		limits = reference('dyn.overhang')
 		for level, young in (('rigid', 2e10), ('trilinear', 2e9)):
-			self.curve('Overhang, ' + level, 'limit', range(1, len(limits) + 1), limits, 'bricks', 'overhang [m]')
+			counts = range(1, len(limits) + 1)
+			self.curve('Overhang, ' + level, 'limit', counts, limits, 'bricks', 'overhang [m]')
+			for factor, name in ((1 - MARGIN, 'stands'), (1 + MARGIN, 'falls')):
+				self.curve('Overhang, ' + level, name, counts, [factor * limit for limit in limits], line=False)
 			for count, expected in enumerate(limits, 1):
 				stands, falls = (self.drop(count, 1 + sign * MARGIN, level, young) for sign in (-1, 1))
 				reason = '%g %% of each overhang are left for the indentation of the edges' % (100 * MARGIN)
 				self.judge('%s, %d: overhang at the limit [m]' % (level, count), self.overhang, expected, 1e-6, 'the digits of the reference')
 				self.atMost('%s, %d, less: drop [m]' % (level, count), stands, 4e-4, reason)
 				self.atMost('%s, %d, more: 2 mm over the drop' % (level, count), 2e-3 / max(falls, 1e-9), 1, reason)
-				for sign, name in ((-1, 'stands'), (1, 'falls')):
-					self.curve('Overhang, ' + level, name, [count], [self.overhang * (1 + sign * MARGIN)], line=False)

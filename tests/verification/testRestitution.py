@@ -10,6 +10,7 @@ from cases import *
 
 GROUP = 'Restitution'
 SIDE, SPEED = .2, .01
+PULLS = 'contact of half a cycle, whose dashpot pulls at the end; ours never attracts'
 REASON = 'dashpots see velocities half a step late: a step of 1/50 of the limit'
 
 
@@ -48,9 +49,10 @@ class Restitution(Case):
 		for ratio, expected in rows.items():
 			got.append(self.collide(float(ratio) / factor, onGround))
 			self.judge('true ratio %s: speed after over before' % ratio, got[-1], expected['no_tension'], 2e-3, REASON)
-			self.judge('true ratio %s: time of contact, times frequency' % ratio, self.duration * frequency, expected['t_nt'], 1e-2, REASON + ', and its end is seen to a step')
-			self.compare('true ratio %s: speed after over before' % ratio, got[-1], expected['half_cycle'], 'a dashpot that pulls until the spring is at rest: ours never attracts')
-			self.compare('true ratio %s: time of contact, times frequency' % ratio, self.duration * frequency, expected['t_half'], 'likewise')
+			duration, label = self.duration * frequency, 'true ratio %s: time of contact, times frequency' % ratio
+			self.judge(label, duration, expected['t_nt'], 1e-2, REASON + ', and its end is seen to a step')
+			self.compare('true ratio %s: speed after over before' % ratio, got[-1], expected['half_cycle'], PULLS)
+			self.compare(label, duration, expected['t_half'], PULLS)
 			if not onGround: self.judge('true ratio %s: change of momentum' % ratio, self.drift, 0, 1e-12, 'round-off')
 		ratios = [float(ratio) for ratio in rows]
 		self.curve(figure, 'ours', ratios, got, 'true damping ratio', 'speed after over before', line=False)
@@ -58,8 +60,8 @@ class Restitution(Case):
 		self.curve(figure, 'contact of half a cycle, exact', ratios, [row['half_cycle'] for row in rows.values()])
 
 	def test_two_bricks(self):
-		"""Two free rigid cubes collide at 1 cm/s without gravity. Expected: a mass on a linear spring and dashpot in closed form, whose contact ends when its force does; eq. (4)
-		with h gives a true damping ratio of h sqrt(2) here.
+		"""Two free rigid cubes collide at 1 cm/s without gravity. Expected: a mass on a linear spring and dashpot in closed form, whose contact ends when its force
+		does; eq. (4) with h gives a true damping ratio of h sqrt(2) here.
 		"""
 		self.check(math.sqrt(2), False)
 

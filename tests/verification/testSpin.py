@@ -72,10 +72,10 @@ class TorqueFreeSpin(Case):
 				self.judge('w%d at %s s [rad/s]' % (k + 1, time), w[k], wanted[k], (1e-3 if float(time) < 10 else 5e-3) / abs(wanted[k]), reason)
 		middle = velocities[:, 1]
 		turns = [k for k in range(len(middle) - 1) if middle[k] * middle[k + 1] < 0]
-		for k, wanted in zip(turns, expected['flip_times']):
+		for turn, (k, wanted) in enumerate(zip(turns, expected['flip_times']), 1):
 			# a polynomial through four values around the change of sign
 			near = np.polyfit(middle[k - 1:k + 3], times[k - 1:k + 3], 3)
-			self.judge('w2 changes its sign at [s]', near[-1], wanted, 1e-3, 'interpolated between values 0.05 s apart')
+			self.judge('w2 changes its sign, %d, at [s]' % turn, near[-1], wanted, 1e-3, 'interpolated between values 0.05 s apart')
 		energy = lambda w: sum(self.body.state.inertia[k] * w[k]**2 for k in range(3)) / 2
 		self.judge('energy at the end [J]', extrapolated([energy(run[-1]) for run in runs]), expected['T'], 1e-4, 'no torque; likewise extrapolated')
 		self.judge('angular momentum [N m s]', self.body.state.angMom.norm(), expected['L'], 1e-7, 'no torque; the digits of the reference')
@@ -89,8 +89,8 @@ class TorqueFreeSpin(Case):
 			self.curve('Free spin, ' + level, 'w%d: exact' % (k + 1), times, exact[:, k])
 
 	def test_rigid(self):
-		"""A free rigid block of unequal sides spins about its middle axis, which is unstable: it turns over every 2.4 s. Expected: Euler's equations (Jacobi's functions). Four
-		runs are extrapolated to a step of zero.
+		"""A free rigid block of unequal sides spins about its middle axis, which is unstable: it turns over every 2.4 s. Expected: Euler's equations (Jacobi's
+		functions). Four runs are extrapolated to a step of zero.
 		"""
 		self.check('rigid', 10, 4e-5)
 
@@ -99,9 +99,9 @@ class TorqueFreeSpin(Case):
 		self.check('trilinear', 2, 1e-4)
 
 	def test_strain_of_a_spinning_cube(self):
-		"""A deformable cube of 0.2 m spins at 20 rad/s. The product leaves inertia forces of rotation out (its documented limit), so it must not deform at all; compared with
-		the mean strain of the solid. The same forces put on the product's stiffness by hand give the solid's mean strain, and three times as much when all mass is in the
-		corners: what is left out would be exact with consistent forces, and wrong with lumped ones.
+		"""A deformable cube of 0.2 m spins at 20 rad/s. The product leaves inertia forces of rotation out (its documented limit), so it must not deform at all;
+		compared with the mean strain of the solid. The same forces put on the product's stiffness by hand give the solid's mean strain, and three times as much
+		when all mass is in the corners: what is left out would be exact with consistent forces, and wrong with lumped ones.
 		"""
 		expected, side, speed = reference('dyn.spin_strain'), .2, 20.
 		b = add((side, side, side), material=material(), inner='full', contactThickness=.001)

@@ -36,8 +36,8 @@ class TiltingTable(Case):
 		path = Path([stack(count, size, young, math.radians(60))[-1]], .95 * exact, 2 * peakAt, count * size[2], rate)
 		self.assertTrue(path.ended)
 		self.judge('%s, E = %g Pa: largest tilt [degrees]' % (name, young), path.peak(), exact, tolerance, TURNED)
-		self.curve(figure, name + ': ours', *path.thinned(), 'lean of the top [m]', 'tilt of the table [degrees]', line=False)
-		shown = [k for k in range(len(leans)) if leans[k] < 2.2 * peakAt]
+		self.curve(figure, name + ': ours', *path.shown(), 'lean of the top [m]', 'tilt of the table [degrees]', line=False)
+		shown = thinned([k for k in range(len(leans)) if leans[k] < 2.2 * peakAt])
 		self.curve(figure, name + ': exact statics', [leans[k] for k in shown], [tilts[k] for k in shown])
 		return path.peak(), exact
 
@@ -52,8 +52,8 @@ class TiltingTable(Case):
 		self.curve(figure, name + ': rigid', young, [limit] * len(young))
 
 	def test_blocks(self):
-		"""Single rigid blocks of four slendernesses on the ground; gravity turns slowly, and back once the block leans too far, so that the path of equilibrium is seen
-		past its peak. Expected: exact statics of a rigid block on springs that only press; its limit for stiff springs is the reference, tan = width/height.
+		"""Single rigid blocks of four slendernesses on the ground; gravity turns slowly, and back once the block leans too far, so that the path of equilibrium is
+		seen past its peak. Expected: exact statics of a rigid block on springs that only press; its limit for stiff springs is the reference, tan = width/height.
 		"""
 		for name, limit in reference('dyn.tilt')['topple_deg'].items():
 			width, height = map(float, name.split('/'))
@@ -62,8 +62,9 @@ class TiltingTable(Case):
 			self.judgeLimit('Blocks on a tilting table: stiffness', name, 1, (width, .2, height), limit, 2e-4, [(9.8e8, ours)])
 
 	def test_column(self):
-		"""Six rigid cubes of 0.2 m on each other, likewise. Expected: exact statics of the stack, in which every joint turns; its limit for stiff springs is the reference
-		(six times as high as wide). All rows of the reference that differ in friction alone must agree, since nothing slides: tan 9.5 degrees is far below all of it.
+		"""Six rigid cubes of 0.2 m on each other, likewise. Expected: exact statics of the stack, in which every joint turns; its limit for stiff springs is the
+		reference (six times as high as wide). All rows of the reference that differ in friction alone must agree, since nothing slides: tan 9.5 degrees is far
+		below all of it.
 		"""
 		limits = {name: row for name, row in reference('dyn.tilting').items() if name.startswith(STACK)}
 		self.assertEqual(len(limits), 6)
@@ -83,7 +84,8 @@ class TiltingTable(Case):
 	def test_references_of_walls(self):
 		"""The references of walls are linear programs of rigid blocks; ours, written anew, gives the same numbers, so both are of the walls that our builders make.
 		Without any head joints the numbers are those of frictionless ones: no head joint is pressed in those states. The least tilt at which some part turns over
-		while all its joints to the rest open is lower for the English bond: in a linear program the friction of these joints still holds, as if sliding opened them.
+		while all its joints to the rest open is lower for the English bond: in a linear program the friction of these joints still holds, as if sliding opened
+		them.
 		"""
 		for name, row in reference('dyn.tilting').items():
 			bond, given = name.split()[0], name.split('mu=')[1]
@@ -96,6 +98,8 @@ class TiltingTable(Case):
 				bricks = courses(bond, 6, ROWS, SIDE)
 				self.judge('%s, beds %g, heads 0: tan of the tilt' % (bond, bed), wall(bricks, SIDE, bed, 0.).largestTilt(), reference(id), 1e-6, DIGITS)
 				self.judge('%s, beds %g, no heads: likewise' % (bond, bed), wall(bricks, SIDE, bed, 'none').largestTilt(), reference(id), 1e-6, 'no head is pressed')
-		self.judge('out of plane: tan of the tilt', wall(courses('column', 1, ROWS, SIDE), SIDE, None, None).largestTilt(), reference('dyn.out_of_plane')['lam'], 1e-6, DIGITS)
-		self.judge('english: tan of the tilt at which a part turns over freely', leastOpening(courses('english', 6, ROWS, SIDE), SIDE), 11 / 38, 1e-9, 'counted by hand')
-		self.judge('straight: likewise', leastOpening(courses('straight', 6, ROWS, SIDE), SIDE), 1 / 6, 1e-9, 'a column alone')
+		outOfPlane = wall(courses('column', 1, ROWS, SIDE), SIDE, None, None).largestTilt()
+		self.judge('out of plane: tan of the tilt', outOfPlane, reference('dyn.out_of_plane')['lam'], 1e-6, DIGITS)
+		free = {bond: leastOpening(courses(bond, 6, ROWS, SIDE), SIDE) for bond in ('english', 'straight')}
+		self.judge('english: tan of the tilt at which a part turns over freely', free['english'], 11 / 38, 1e-9, 'counted by hand')
+		self.judge('straight: likewise', free['straight'], 1 / 6, 1e-9, 'a column alone')

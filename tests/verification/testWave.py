@@ -151,9 +151,9 @@ class WaveInABar(Case):
 			self.curve(figure, name + ': elastic bar', [0, front, front, times[-1]], [0, 0, behind, behind])
 
 	def test_rigid_bricks(self):
-		"""40 rigid cubes of 0.2 m in a row, jointed; a constant force acts on the first. Arrival: a brick's velocity is half of that behind the front of an
-		elastic bar. Expected: the exact motion of the chain of equal masses and springs. The reference is that chain too, integrated in steps of 0.66 ms;
-		we get its digits with that step and its convention for the time of a velocity.
+		"""40 rigid cubes of 0.2 m in a row, jointed; a constant force acts on the first. Arrival: a brick's velocity is half of that behind the front of an elastic
+		bar. Expected: the exact motion of the chain of equal masses and springs. The reference is that chain too, integrated in steps of 0.66 ms; we get its digits
+		with that step and its convention for the time of a velocity.
 		"""
 		expected = reference('wave.rigid.r0.lumped')
 		brickMaterial = material(mortar=Mortar(**UNBREAKABLE))
@@ -218,12 +218,13 @@ class WaveInABar(Case):
 		self.deformable('wave.wilson.r0.001.lumped', 'incompatible', .001)
 
 	def test_consistent_mass(self):
-		"""The mass of the product's elements is lumped. Lumped and consistent masses err to opposite sides: the reference with a consistent mass, whose digits our bar
-		in NumPy gives with that mass, is compared with the exact motion of the bar with lumped mass, which the product was shown to follow.
+		"""The mass of the product's elements is lumped. Lumped and consistent masses err to opposite sides: the reference with a consistent mass, whose digits our
+		bar in NumPy gives with that mass, is compared with the exact motion of the bar with lumped mass, which the product was shown to follow.
 		"""
 		bars = [deformableBar('full', .001, consistent=consistent) for consistent in (False, True)]
 		self.judgeReference(reference('wave.full.r0.001.consistent'), bars[1])
 		fine = np.linspace(0, .06, 4000)
 		lumped, consistent = (arrivals(fine, bar.velocity(PLACES, fine)) for bar in bars)
 		for place, ours, other in zip(PLACES, lumped, consistent):
-			self.compare('arrival at brick %d, lumped against consistent [s]' % (place + 1), ours, other, 'short waves run slower with lumped mass, faster with consistent')
+			reason = 'short waves run slower with lumped mass, faster with consistent'
+			self.compare('arrival at brick %d, lumped against consistent [s]' % (place + 1), ours, other, reason)

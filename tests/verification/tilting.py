@@ -62,9 +62,13 @@ class Path:
 	def peak(self):
 		return max(self.tilts)
 
-	def thinned(self, count=60):
-		every = max(1, len(self.tilts) // count)
-		return self.leans[::every], self.tilts[::every]
+	def shown(self):
+		"""For a curve."""
+		return thinned(self.leans), thinned(self.tilts)
+
+
+def thinned(values, count=100):
+	return values[::max(1, len(values) // count)]
 
 
 def standsAt(tops, degrees, lean, axis=0, seconds=.6):

@@ -9,7 +9,7 @@ import numpy as np
 
 from cases import *
 from limitAnalysis import Blocks
-from tilting import pressedJoint, withoutCompliance
+from tilting import pressedJoint, thinned, withoutCompliance
 
 RADIUS, DEPTH = 1., .2  # of the middle of the ring, and through the arch [m]
 SLIDE = math.radians(80)  # friction: no sliding
@@ -121,8 +121,8 @@ def turned(angle, v):
 
 
 def springing(shape, thrust, eccentricity, young):
-	"""Rotation and shift [m] of the ground that half an arch would need, from the crown down, for a thrust (over a voussoir's weight) that acts on the crown's joint at
-	this share of the thickness from its middle. Both are zero in equilibrium. None when a joint cannot carry what it gets.
+	"""Rotation and shift [m] of the ground that half an arch would need, from the crown down, for a thrust (over a voussoir's weight) that acts on the crown's
+	joint at this share of the thickness from its middle. Both are zero in equilibrium. None when a joint cannot carry what it gets.
 	"""
 	turn, shift, forces = 0., np.zeros(2), []
 	for k in range((shape.count + 1) // 2):
@@ -233,7 +233,7 @@ class ThinnestArch(Case):
 			arch = Arch(count, factor * exact * RADIUS, young)
 			stands = int(arch.stands())
 			self.judge('%s, t/R = %.5f: stands' % (name, factor * exact), stands, expected, 0, 'exact statics: t/R = %.5f' % exact)
-			self.curve('Crown of an arch of ' + name, 't/R = %.5f' % (factor * exact), *zip(*arch.history), 'time [s]', 'drop [m]')
+			self.curve('Crown of an arch of ' + name, 't/R = %.5f' % (factor * exact), *zip(*thinned(arch.history)), 'time [s]', 'drop [m]')
 		self.curve('Thinnest arch of ' + name, 'rigid', [limit, limit], [0, 1], 't/R', 'stands (1) or falls (0)')
 		self.curve('Thinnest arch of ' + name, 'exact statics', [exact, exact], [0, 1])
 		self.curve('Thinnest arch of ' + name, 'ours', [exact * (1 - MARGIN), exact * (1 + MARGIN)], [0, 1], line=False)
