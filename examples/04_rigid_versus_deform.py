@@ -114,6 +114,7 @@ variations = {
         "motion x 1.5": ("--scale", "1.5"),
 }
 deformVariations = {
+        "r = 0.1 mm": ("--thickness", "0.0001"),
         "r = 5 mm": ("--thickness", "0.005"),
         "r = 10 mm": ("--thickness", "0.01"),
         "incompatible modes": ("--element", "incompatible"),

@@ -54,6 +54,8 @@ namespace serialization {
 	{
 		ar& make_nvp("side0", j.faces[0]) & make_nvp("side1", j.faces[1]) & make_nvp("segments", j.segments);
 		ar& make_nvp("springs", j.springs) & make_nvp("strength", j.strength) & make_nvp("restGap", j.restGap) & make_nvp("intact", j.intact);
+		for (int k = 0; k < 2; ++k)
+			ar& make_nvp("half", j.halves[k]) & make_nvp("rows", j.rows[k]);
 	}
 
 	template <class A> void serialize(A& ar, brick::ContactMemory& m, unsigned) { ar& make_nvp("keys", m.keys) & make_nvp("tractions", m.tractions); }

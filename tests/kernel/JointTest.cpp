@@ -642,6 +642,53 @@ TEST(JointTest, bond_wrench_opens_the_outer_row_at_the_closed_form_moment)
 		}
 }
 
+TEST(JointTest, last_row_is_no_hinge)
+{
+	// of a cracked joint: its edge, half a segment from where the bricks turn about it, opens beyond the strength
+	for (const Layer& layer : layers)
+		for (const int n : { 2, 4, 8 })
+			for (const Real pressed : { 0., 3 * pairs::tensile }) {
+				const Real half = edge / 2 / n, opens = (pairs::tensile + pressed) / layer.kn / half;
+				for (const Real factor : { .99, 1.01 }) { // the mean normal turns by half the angle, up to 0.03 rad: its square is 1e-3
+					Pair p = bonded(layer, n);
+					for (auto& s : p.joint.segments)
+						if (p.place(s, 0)[1] > -edge / 2 + 1.5 * half) s.state = SegmentState::Tension, --p.joint.intact;
+					ASSERT_EQ(p.joint.intact, n);
+					p.second.placement.position[2] -= pressed / layer.kn;
+					p.second.move({ opens * factor, 0, 0 }, { 0, 0, 0 }, { 0, -edge / 2 + half, edge / 2 - pressed / layer.kn });
+					const auto a = p.step();
+					EXPECT_EQ(a.failures.tension, factor > 1 ? n : 0) << n << " " << pressed;
+					EXPECT_EQ(a.failures.total(), a.failures.tension);
+				}
+			}
+}
+
+TEST(JointTest, joint_one_segment_wide_cracks_at_its_edge)
+{
+	// narrow in y only: bending about x, which its middles do not feel, opens the edges; bending about y is the rows' matter
+	for (const Layer& layer : layers)
+		for (const Real factor : { .99, 1.01 }) {
+			const Real angle = factor * pairs::tensile / layer.kn / (edge / 8);
+			Body       lower = Body::cuboid({ edge, edge / 4, edge }), upper = Body::cuboid({ edge, edge / 4, edge }, { 0, 0, edge });
+			lower.contactLength.fill(layer.length), upper.contactLength.fill(layer.length);
+			for (const bool across : { true, false }) {
+				Pair p(lower, upper, above, below, mortar());
+				ASSERT_EQ(p.joint.segments.size(), 4u);
+				p.second.move(across ? Vector3r(angle, 0, 0) : Vector3r(0, angle / 8, 0), { 0, 0, 0 }, { 0, 0, edge / 2 });
+				EXPECT_EQ(p.step().failures.tension, across && factor > 1 ? 4 : 0);
+			}
+		}
+}
+
+TEST(JointTest, joint_that_holds_is_judged_at_the_middles_of_its_segments)
+{
+	Pair p = bonded(layers[0], 4);
+	p.second.move({ 1e-5, 0, 0 }, { 0, 0, 0 }, { 0, 0, edge / 2 });
+	EXPECT_EQ(edgeOpening(p.joint, p.motion()), 0);
+	p.joint.segments[0].state = SegmentState::Tension, --p.joint.intact;
+	EXPECT_NEAR(edgeOpening(p.joint, p.motion()), 1e-5 * edge / 8, 1e-9 * edge);
+}
+
 TEST(JointTest, failed_segment_carries_pressure_and_no_tension)
 {
 	EXPECT_NEAR(cracked(depth).step().loads[0].force[2], -weight, printed * weight);

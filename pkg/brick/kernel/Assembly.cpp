@@ -251,10 +251,11 @@ Failures Assembly::overloaded() const
 {
 	Failures count;
 	for (const auto& j : joints) {
-		const JointMotion m = motionOf(j);
+		const JointMotion m    = motionOf(j);
+		const Real        edge = edgeOpening(j.joint, m);
 		for (const auto& s : j.joint.segments) {
 			const SegmentTraction t    = segmentTraction(j.joint, s, m, 0);
-			const SegmentState    mode = failureMode(j.joint.strength, t.normal, t.shear.norm());
+			const SegmentState    mode = segmentFailure(j.joint, t.normal / j.joint.springs.normal, t.shear.norm(), edge);
 			count.tension += mode == SegmentState::Tension;
 			count.shear += mode == SegmentState::Shear;
 			count.compression += mode == SegmentState::Compression;

@@ -154,6 +154,9 @@ std::optional<Joint> joinFaces(const Side& side0, int face0, const Side& side1, 
 	joint.faces[swapped]  = brickFace(host, hostFace);
 	joint.faces[!swapped] = guestFaceOf(guest, guestFace, host, joint.faces[swapped], plane, joint.restGap);
 	joint.intact          = int(joint.segments.size());
+	joint.rows            = { columns, rows };
+	joint.halves
+	        = { side0.placement.rotation.transpose() * (step[0] / 2 * plane.axis1), side0.placement.rotation.transpose() * (step[1] / 2 * plane.axis2) };
 	return joint;
 }
 
@@ -206,6 +209,15 @@ namespace {
 		return limited(elastic + k.shearDashpot * (rate - opening * n), pressure * tanFriction) - pressure * n;
 	}
 
+	/// Slope of a face over the joint's mean plane along a vector in it.
+	Real slope(const std::array<Vector3r, 4>& face, const Vector3r& normal, const Vector3r& along)
+	{
+		constexpr Real upright = 1e-6; // of a face that has turned out of the mean plane altogether
+		const Vector3r across  = (face[2] - face[0]).cross(face[3] - face[1]).normalized();
+		const Real     up      = across.dot(normal);
+		return -across.dot(along) / std::copysign(std::max(std::abs(up), upright), up);
+	}
+
 	void countFailure(SegmentState mode, Failures& failures)
 	{
 		failures.tension += mode == SegmentState::Tension;
@@ -215,6 +227,25 @@ namespace {
 
 } // namespace
 
+Real edgeOpening(const Joint& joint, const JointMotion& m)
+{
+	const bool cracked = joint.intact < int(joint.segments.size());
+	Real       edge    = 0;
+	for (int k = 0; k < 2; ++k)
+		if (cracked || joint.rows[k] == 1) {
+			const Vector3r along = joint.halves[k] - m.normal * m.normal.dot(joint.halves[k]);
+			edge += std::abs(slope(m.positions[1], m.normal, along) - slope(m.positions[0], m.normal, along));
+		}
+	return edge;
+}
+
+SegmentState segmentFailure(const Joint& joint, Real opening, Real shear, Real edge)
+{
+	const SegmentState mode = failureMode(joint.strength, joint.springs.normal * opening, shear);
+	if (mode != SegmentState::Intact || edge == 0) return mode;
+	return joint.springs.normal * (opening + edge) > joint.strength.tension ? SegmentState::Tension : SegmentState::Intact;
+}
+
 Failures jointLoads(Joint& joint, const JointMotion& m, const PairSprings& pair, const Matrix3r& rotation0, std::array<Loads, 2>& loads, PairSummary& sum)
 {
 	Failures                failed;
@@ -223,6 +254,7 @@ Failures jointLoads(Joint& joint, const JointMotion& m, const PairSprings& pair,
 	Vector3r   force = Vector3r::Zero(), torque = Vector3r::Zero(), middle = Vector3r::Zero();
 	Real       normalForce = 0;
 	const auto n           = m.normal;
+	const Real edge        = edgeOpening(joint, m);
 	for (auto& segment : joint.segments) {
 		const Vector3r x0 = weighted(segment.weights[0], m.positions[0]);
 		const Vector3r d  = weighted(segment.weights[1], m.positions[1]) - x0;
@@ -231,7 +263,7 @@ Failures jointLoads(Joint& joint, const JointMotion& m, const PairSprings& pair,
 		Vector3r       traction; // on side 0
 		if (segment.state == SegmentState::Intact) {
 			traction                = joint.springs.normal * un * n + joint.springs.shear * ut;
-			const SegmentState mode = failureMode(joint.strength, joint.springs.normal * un, joint.springs.shear * ut.norm());
+			const SegmentState mode = segmentFailure(joint, un, joint.springs.shear * ut.norm(), edge);
 			if (mode != SegmentState::Intact) {
 				segment.state = mode;
 				--joint.intact;

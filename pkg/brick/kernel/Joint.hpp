@@ -9,6 +9,10 @@
 //     intact   sigma = kn un,  tau = ks ut
 //     failed   sigma = min(0, kn un + cn un'),  tau = ks (ut - slip) + cs ut',  |tau| <= |sigma| tan(phi)
 // slip is the plastic part of ut: it follows ut while the segment is open or slides.
+//
+// A segment is seen at its middle only, so a last row of segments that hold would be a hinge: the bricks turn about it and sink into each other beside it, and when
+// it fails contact meets that overlap at once, which is energy from nothing. So in a joint that has cracked, or is one segment wide, a segment fails in tension when
+// its edge opens beyond the strength, by the angle between the two faces. Where a joint cracks first is the paper's rule alone, unless it is one segment wide.
 #pragma once
 
 #include "MortarLaw.hpp"
@@ -39,8 +43,10 @@ struct Joint {
 	std::vector<JointSegment> segments;
 	SpotSprings               springs;
 	MortarStrength            strength;
-	Real                      restGap = 0; ///< distance of the faces, at the centre of one, when they were joined [m]; taken as closed
-	int                       intact  = 0; ///< segments that hold
+	std::array<Vector3r, 2>   halves;        ///< half the edges of a segment that is not cut, frame of side 0 at rest [m]
+	std::array<int, 2>        rows { 1, 1 }; ///< of segments, along these edges
+	Real                      restGap = 0;   ///< distance of the faces, at the centre of one, when they were joined [m]; taken as closed
+	int                       intact  = 0;   ///< segments that hold
 	bool                      exists() const { return !segments.empty(); }
 };
 
@@ -84,6 +90,13 @@ struct SegmentTraction {
 	Vector3r shear;
 };
 SegmentTraction segmentTraction(const Joint&, const JointSegment&, const JointMotion&, Real tanFriction);
+
+/// How much more than its middle an edge of a segment opens, by the angle between the faces [m]; zero where the joint is no hinge.
+Real edgeOpening(const Joint&, const JointMotion&);
+
+/// The mode in which an intact segment fails.
+/// @param opening of its middle, un [m]   @param shear traction [Pa]   @param edge see edgeOpening
+SegmentState segmentFailure(const Joint&, Real opening, Real shear, Real edge);
 
 /// Elastic energy of the springs of all segments [J].
 Real jointEnergy(const Joint&, const JointMotion&, Real tanFriction);
