@@ -22,6 +22,8 @@ side = 0.2  # of a brick [m]
 courses = columns = 6
 density, height = 1800, courses * side  # [kg/m3], [m]
 lookEvery, frameEvery = 0.005, 0.25  # between two samples of the histories, and between two shapes that are kept [s]
+# 1 % of what the wall has by its height: contact on edges makes or takes some percent of what it stores (doc/method.md), a few J in a collapse
+energyTolerance = 0.01 * (density * columns * side * side * height) * gravity * height / 2  # [J]
 restRatio, restImbalance = 1e-8, 1e-4  # criterion of rest: kinetic over elastic energy, mean net force over mean force in joints
 
 # ---- 1. what to run ------------------------------------------------------------------------------------------------------------
@@ -144,6 +146,7 @@ class WallRun:
 		lost = sum(not all(math.isfinite(value) for corner in body.shape.worldCorners(body.state) for value in corner) for body in bodies)
 		rows = self.settled.judged() + [report.judgedRow("bricks that are not finite", lost, limit=0)]
 		rows.append(report.judgedRow("depth of the lowest corner below the floor [m]", depthBelowFloor(bodies), limit=deepestCorner(self.chosen)))
+		rows.append(report.judgedRow("energy gained without work [J]", self.recorder.energy.gained, limit=energyTolerance))
 		if self.chosen.scale == 0:
 			rows += self.recorder.judgedStill() + judgedRest(self.rested, "at the end")
 		elif leastFallen:
