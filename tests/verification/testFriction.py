@@ -170,7 +170,7 @@ class TiltedGravity(Case):
 			self.judge('%s: begins to slip at [degrees]' % level, 2 * first - second, expected['slip_deg'], 1e-3, 'from the angles at 0.1 and 0.8 mm, as a cube')
 			every = max(1, len(angles) // 60)
 			self.curve('Slope steepened slowly', level + ': ours', angles[::every], slips[::every], 'slope [degrees]', 'slip [m]', line=False)
-			self.curve('Slope steepened slowly', 'exact', start + rate * times[::40], exact[::40])
+			if level == 'rigid': self.curve('Slope steepened slowly', 'exact', start + rate * times[::40], exact[::40])
 
 	def test_acceleration(self):
 		"""A flat block on a slope of 40 degrees, after 0.1 s of sliding. Expected: g (sin - mu cos)."""

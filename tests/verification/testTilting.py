@@ -36,9 +36,10 @@ class TiltingTable(Case):
 		path = Path([stack(count, size, young, math.radians(60))[-1]], .95 * exact, 2 * peakAt, count * size[2], rate)
 		self.assertTrue(path.ended)
 		self.judge('%s, E = %g Pa: largest tilt [degrees]' % (name, young), path.peak(), exact, tolerance, TURNED)
-		self.curve(figure, name + ': ours', *path.shown(), 'lean of the top [m]', 'tilt of the table [degrees]', line=False)
-		shown = thinned([k for k in range(len(leans)) if leans[k] < 2.2 * peakAt])
-		self.curve(figure, name + ': exact statics', [leans[k] for k in shown], [tilts[k] for k in shown])
+		ours, shown = zip(*path.shown()), [(lean, tilt) for lean, tilt in zip(leans, tilts) if tilt > .9 * exact and lean < 2.2 * peakAt]
+		for series, points, line in ((name + ': ours', ours, False), (name + ': exact statics', thinned(shown), True)):
+			scaled = zip(*((lean / peakAt, tilt / exact) for lean, tilt in points))
+			self.curve(figure, series, *scaled, 'lean, over that at the largest tilt of exact statics', 'tilt of the table, over that', line=line)
 		return path.peak(), exact
 
 	def judgeLimit(self, figure, name, count, size, limit, tolerance, measured):
@@ -47,9 +48,8 @@ class TiltingTable(Case):
 		angles = [stackAngle(count, size, E, SEGMENTS) for E in young]
 		label = '%s: statics of ever stiffer springs, extrapolated [degrees]' % name
 		self.judge(label, withoutCompliance(young, angles), limit, tolerance, 'what is left after the inverse cubic root')
-		self.curve(figure, name + ': exact statics', young, angles, 'Young\'s modulus [Pa]', 'largest tilt [degrees]', True)
-		self.curve(figure, name + ': ours', *zip(*measured), line=False)
-		self.curve(figure, name + ': rigid', young, [limit] * len(young))
+		self.curve(figure, name + ': exact statics', young, [a / limit for a in angles], 'Young\'s modulus [Pa]', 'largest tilt, over that of rigid bricks', True)
+		self.curve(figure, name + ': ours', [E for E, _ in measured], [a / limit for _, a in measured], line=False)
 
 	def test_blocks(self):
 		"""Single rigid blocks of four slendernesses on the ground; gravity turns slowly, and back once the block leans too far, so that the path of equilibrium is

@@ -144,13 +144,14 @@ def stackAt(lean, count, size, young, segments):
 
 
 def stackPath(count, size, young, segments, points=1500):
-	"""Leans [m] and tilts [degrees] of equilibrium, to where a joint can carry no more; the largest tilt is that of collapse."""
+	"""Leans [m] and tilts [degrees] of equilibrium, to well past the largest tilt, which is that of collapse."""
 	limit, leans, tilts = math.atan(size[0] / (count * size[2])), [], []
 	for k in range(1, 2 * points):
 		found = stackAt(limit * k / points, count, size, young, segments)
 		if found is None: break
 		tilts.append(math.degrees(found[0]))
 		leans.append(found[1])
+		if tilts[-1] < .8 * max(tilts): break
 	return leans, tilts
 
 

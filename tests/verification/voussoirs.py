@@ -234,9 +234,6 @@ class ThinnestArch(Case):
 			stands = int(arch.stands())
 			self.judge('%s, t/R = %.5f: stands' % (name, factor * exact), stands, expected, 0, 'exact statics: t/R = %.5f' % exact)
 			self.curve('Crown of an arch of ' + name, 't/R = %.5f' % (factor * exact), *zip(*thinned(arch.history)), 'time [s]', 'drop [m]')
-		self.curve('Thinnest arch of ' + name, 'rigid', [limit, limit], [0, 1], 't/R', 'stands (1) or falls (0)')
-		self.curve('Thinnest arch of ' + name, 'exact statics', [exact, exact], [0, 1])
-		self.curve('Thinnest arch of ' + name, 'ours', [exact * (1 - MARGIN), exact * (1 + MARGIN)], [0, 1], line=False)
 		self.compare('%s: thinnest t/R, exact statics' % name, exact, limit, SOFTER)
 
 	def judgeLimit(self, count, young):
