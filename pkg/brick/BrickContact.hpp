@@ -144,7 +144,7 @@ public:
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS(Law2_BrickGeom_BrickPhys_Mortar, LawFunctor, R"(Mortar that cracks segment by segment, and contact with friction and dashpots [Furukawa2014]_, eqs. (4)-(9).
 
-In a joint that has cracked, or is one segment wide, a segment also fails in tension when its edge opens beyond the strength, or it would be a hinge. When the last segment of a joint has failed, the pair goes on as an ordinary contact with the same shear. The law computes what each interaction does; :yref:`BrickDynamics` adds it up.)",
+In a joint that has cracked a segment also fails in tension when its edge opens beyond the strength, or the last row would be a hinge. When the last segment of a joint has failed, the pair goes on as an ordinary contact with the same shear. The law computes what each interaction does; :yref:`BrickDynamics` adds it up.)",
 		((long, tensionFailures, 0, Attr::readonly, "Segments failed in tension so far, eq. (6)."))
 		((long, shearFailures, 0, Attr::readonly, "Segments failed in shear so far, eq. (7)."))
 		((long, compressionFailures, 0, Attr::readonly, "Segments failed in compression so far, eq. (8)."))

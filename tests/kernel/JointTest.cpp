@@ -663,18 +663,18 @@ TEST(JointTest, last_row_is_no_hinge)
 			}
 }
 
-TEST(JointTest, joint_one_segment_wide_cracks_at_its_edge)
+TEST(JointTest, joint_one_segment_wide_is_no_hinge)
 {
-	// narrow in y only: bending about x, which its middles do not feel, opens the edges; bending about y is the rows' matter
+	// narrow in y only: bending about x is not felt by its middles; bending about y is the rows' matter
 	for (const Layer& layer : layers)
 		for (const Real factor : { .99, 1.01 }) {
-			const Real angle = factor * pairs::tensile / layer.kn / (edge / 8);
+			const Real angle = factor * 10 * pairs::tensile / layer.kn / (edge / 8);
 			Body       lower = Body::cuboid({ edge, edge / 4, edge }), upper = Body::cuboid({ edge, edge / 4, edge }, { 0, 0, edge });
 			lower.contactLength.fill(layer.length), upper.contactLength.fill(layer.length);
 			for (const bool across : { true, false }) {
 				Pair p(lower, upper, above, below, mortar());
 				ASSERT_EQ(p.joint.segments.size(), 4u);
-				p.second.move(across ? Vector3r(angle, 0, 0) : Vector3r(0, angle / 8, 0), { 0, 0, 0 }, { 0, 0, edge / 2 });
+				p.second.move(across ? Vector3r(angle, 0, 0) : Vector3r(0, angle / 80, 0), { 0, 0, 0 }, { 0, 0, edge / 2 });
 				EXPECT_EQ(p.step().failures.tension, across && factor > 1 ? 4 : 0);
 			}
 		}

@@ -241,9 +241,13 @@ Real edgeOpening(const Joint& joint, const JointMotion& m)
 
 SegmentState segmentFailure(const Joint& joint, Real opening, Real shear, Real edge)
 {
-	const SegmentState mode = failureMode(joint.strength, joint.springs.normal * opening, shear);
+	constexpr Real     hinge  = 10; // far beyond any stress of a joint that bends with its wall
+	const Real         stress = joint.springs.normal * opening, bending = joint.springs.normal * edge;
+	const SegmentState mode = failureMode(joint.strength, stress, shear);
 	if (mode != SegmentState::Intact || edge == 0) return mode;
-	return joint.springs.normal * (opening + edge) > joint.strength.tension ? SegmentState::Tension : SegmentState::Intact;
+	const bool cracked = joint.intact < int(joint.segments.size());
+	const bool opens   = cracked ? stress + bending > joint.strength.tension : bending > hinge * (joint.strength.tension + std::abs(stress));
+	return opens ? SegmentState::Tension : SegmentState::Intact;
 }
 
 Failures jointLoads(Joint& joint, const JointMotion& m, const PairSprings& pair, const Matrix3r& rotation0, std::array<Loads, 2>& loads, PairSummary& sum)

@@ -11,8 +11,9 @@
 // slip is the plastic part of ut: it follows ut while the segment is open or slides.
 //
 // A segment is seen at its middle only, so a last row of segments that hold would be a hinge: the bricks turn about it and sink into each other beside it, and when
-// it fails contact meets that overlap at once, which is energy from nothing. So in a joint that has cracked, or is one segment wide, a segment fails in tension when
-// its edge opens beyond the strength, by the angle between the two faces. Where a joint cracks first is the paper's rule alone, unless it is one segment wide.
+// it fails contact meets that overlap at once, which is energy from nothing. So in a joint that has cracked a segment fails in tension when its edge opens beyond the
+// strength, by the angle between the two faces. Where a joint cracks first is the paper's rule alone; only one that is a single segment wide, and so a hinge from the
+// start, fails when its edges differ from its middle by ten times what tears it (its bending is otherwise not felt, as in the paper).
 #pragma once
 
 #include "MortarLaw.hpp"
