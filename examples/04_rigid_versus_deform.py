@@ -302,7 +302,7 @@ def judged(walls, runs, outcomes):
 	found.append(report.judgedRow("force on the middle section, by the ground's thrust [N]", -straight.sectionForce(), expected=thrust, tolerance=1e-6))
 	for run, outcome in zip(runs, outcomes):
 		if run.study == "hold":
-			found += [{**row, "id": f"{run.folder}: {row['id']}"} for row in outcome.result["rows"] if "before" not in row["id"] and "energy" not in row["id"]]
+			found += [{**row, "id": f"{run.folder}: {row['id']}"} for row in outcome.result["rows"] if "before" not in row["id"] and "gained" not in row["id"]]
 	return found
 
 

@@ -24,6 +24,7 @@ density, height = 1800, courses * side  # [kg/m3], [m]
 lookEvery, frameEvery = 0.005, 0.25  # between two samples of the histories, and between two shapes that are kept [s]
 # 1 % of what the wall has by its height: contact on edges makes or takes some percent of what it stores (doc/method.md), a few J in a collapse
 energyTolerance = 0.01 * (density * columns * side * side * height) * gravity * height / 2  # [J]
+pictureLimits = (-1.2, 2.8, -0.15, 1.4)  # of x and z in wall.png: bricks that have flown farther are outside [m]
 restRatio, restImbalance = 1e-8, 1e-4  # criterion of rest: kinetic over elastic energy, mean net force over mean force in joints
 
 # ---- 1. what to run ------------------------------------------------------------------------------------------------------------
@@ -390,7 +391,8 @@ class Recorder:
 		report.writeHistories(os.path.join(out, "histories.csv"), columns)
 		picture.historyPlot(os.path.join(out, "histories.png"), self.times, followed, title=title)
 		shown = [min(self.frames, key=lambda frame: abs(frame[0] - wanted)) for wanted in self.pictureTimes]
-		picture.pictureSeries(os.path.join(out, "wall.png"), shown, view=view, title=title)
+		limits = pictureLimits if view == "elevation" else None
+		picture.pictureSeries(os.path.join(out, "wall.png"), shown, view=view, title=title, limits=limits)
 		self.writeArrays(os.path.join(out, "wall.npz"))
 
 	def writeArrays(self, path):
