@@ -3,6 +3,7 @@
 
 #include <core/Body.hpp>
 
+#include "kernel/Contact.hpp"
 #include "kernel/StableStep.hpp"
 
 namespace yade {
@@ -27,10 +28,8 @@ namespace {
 	{
 		if (phys.isJoint()) return dashpotTime(phys.joint.springs);
 		Real longest = 0;
-		for (const auto& spot : geom.spots) {
-			const int face0 = spot.owner == 0 ? spot.ownerFace : spot.otherFace, face1 = spot.owner == 0 ? spot.otherFace : spot.ownerFace;
-			longest = std::max(longest, dashpotTime(phys.springs.at((*geom.sides[0].contactLength)[face0], (*geom.sides[1].contactLength)[face1])));
-		}
+		for (const auto& spot : geom.spots)
+			longest = std::max(longest, dashpotTime(brick::springsOf(spot, geom.sides[0], geom.sides[1], phys.springs)));
 		return longest;
 	}
 

@@ -3,6 +3,8 @@
 # so that an error which falls with refinement is that of one element a brick, not of the implementation.
 import numpy as np
 
+import mesh
+from mesh import ELEMENTS
 from cases import *
 from yade_brick.build import cornerSigns
 
@@ -77,12 +79,9 @@ def misorderedNodes(assembly, b):
 def innerStiffness(b):
 	"""Of the inner hexahedron of a cuboid (24, 24), world axes [N/m]."""
 	inset = b.shape.contactThickness * np.sign(corners(b) - b.state.pos) if b.shape.inner == 'inset' else 0
-	nodes = [Vector3(*x) for x in corners(b) - b.state.pos - inset]
-	return np.array(Brick.stiffness(nodes, b.material.young, b.material.poisson, b.shape.element)).reshape(24, 24)
+	return mesh.elementStiffness(corners(b) - b.state.pos - inset, b.material.young, b.material.poisson, b.shape.element)
 
 
 def consistentMass(b):
 	"""Of a cuboid with trilinear displacement, (24, 24) [kg]."""
-	sign = np.sign(corners(b) - b.state.pos)
-	same = (1 + (sign[:, None, :] == sign[None, :, :])) / 6
-	return b.state.mass * np.kron(same.prod(axis=2), np.eye(3))
+	return mesh.consistentMass(corners(b) - b.state.pos, b.state.mass)

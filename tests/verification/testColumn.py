@@ -13,7 +13,6 @@ from yade_brick.assembly import assembled
 GROUP = 'Cantilever and frequencies'
 SIDE = .2
 COUNTS, THICKNESSES = (5, 10), (1e-4, 1e-3, 5e-3)
-ELEMENTS = {'full': 'full', 'wilson': 'incompatible', 'bbar': 'bbar'}  # of references.json and of Brick.element
 DIGITS = 'same discrete model: eight digits of the reference'
 
 

@@ -14,7 +14,6 @@ GROUP = 'Self weight of the walls'
 SIDE, COUNT = .2, 6
 LENGTH, DEPTH, HEIGHT = SIDE * COUNT, SIDE, SIDE * COUNT
 FT, COHESION = 4.6e3, 2.9e3
-ELEMENTS = {'full': 'full', 'wilson': 'incompatible', 'bbar': 'bbar'}  # of references.json and of Brick.element
 BONDS = 'straight', 'english'
 COURSES = [round(SIDE * (k + .5), 3) for k in range(COUNT)]  # heights of their middles
 THROUGH = .3, .6, .9  # heights at which the thickening is compared: elsewhere the reference is too near the edges to be resolved

@@ -280,13 +280,13 @@ namespace {
 		return cursor < memory.size() && memory.keys[cursor] == key ? memory.tractions[cursor] : Vector3r(Vector3r::Zero());
 	}
 
-	SpotSprings springsOf(const ContactSpot& spot, const Side& side0, const Side& side1, const PairSprings& pair)
-	{
-		const int face0 = spot.owner == 0 ? spot.ownerFace : spot.otherFace, face1 = spot.owner == 0 ? spot.otherFace : spot.ownerFace;
-		return pair.at((*side0.contactLength)[face0], (*side1.contactLength)[face1]);
-	}
-
 } // namespace
+
+SpotSprings springsOf(const ContactSpot& spot, const Side& side0, const Side& side1, const PairSprings& pair)
+{
+	const int face0 = spot.owner == 0 ? spot.ownerFace : spot.otherFace, face1 = spot.owner == 0 ? spot.otherFace : spot.ownerFace;
+	return pair.at((*side0.contactLength)[face0], (*side1.contactLength)[face1]);
+}
 
 void contactLoads(
         const Side&                     side0,

@@ -46,6 +46,9 @@ struct ContactMemory {
 	std::size_t           size() const { return keys.size(); }
 };
 
+/// Springs of a spot, by the contact lengths of the two faces.
+SpotSprings springsOf(const ContactSpot& spot, const Side& side0, const Side& side1, const PairSprings& pair);
+
 /// Forces of all spots on both bodies; `memory` is replaced by the present tractions, `scratch` is working space.
 void contactLoads(
         const Side&                     side0,
