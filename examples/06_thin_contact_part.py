@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """How thin may the contact part be? Two walls under their own weight, with contact parts from 10 mm down to 0.01 mm.
 
-    build/yade -n -x examples/05_thin_contact_part.py [--out DIR]
+    build/yade -n -x examples/06_thin_contact_part.py [--out DIR]
 
 The paper advises a contact part "as thin as possible". In a staggered bond each brick lies on two, and its one hexahedron has to follow both through glued
 half overlaps: as the contact part gets thinner, nothing is left that could give way, and the joints show tension that the wall does not have. Straight
@@ -128,8 +128,8 @@ def draw(found, path):
 
 
 def main():
-	parser = argparse.ArgumentParser(prog="05_thin_contact_part.py", description=__doc__.splitlines()[0])
-	parser.add_argument("--out", metavar="DIR", default="result-05", help="folder for the results (default: result-05)")
+	parser = argparse.ArgumentParser(prog="06_thin_contact_part.py", description=__doc__.splitlines()[0])
+	parser.add_argument("--out", metavar="DIR", default="result-06", help="folder for the results (default: result-06)")
 	out = parser.parse_args().out
 	found = study()
 	rows = judge(found)
