@@ -4,6 +4,7 @@
 """A wall of the paper from its options to its results; see `WallRun`."""
 
 import argparse
+import contextlib
 import math
 import os
 import sys
@@ -48,6 +49,7 @@ def options(description, out):
 	parser.add_argument("--hn", type=float, default=0.1, help="damping ratio of the normal contact dashpots (default: 0.1)")
 	parser.add_argument("--hs", type=float, default=0.1, help="damping ratio of the tangential contact dashpots (default: 0.1)")
 	parser.add_argument("--damping-ratio", type=float, default=0, help="fraction of critical damping of the bricks' deformation (default: 0)")
+	parser.add_argument("--bill", action="store_true", help="where the time of the shaking went, also in result.json; measuring takes some of it itself")
 	parser.add_argument("--out", metavar="DIR", default=out, help=f"folder for the results (default: {out})")
 	chosen = parser.parse_args()
 	if not (math.isfinite(chosen.duration) and chosen.duration > 0):
@@ -134,7 +136,8 @@ class WallRun:
 		ground = build.groundMotion(motion, startTime=O.time)
 		O.engines = O.engines[:-1] + [ground] + O.engines[-1:]
 		self.recorder = Recorder(self.masonry, self.unloaded, self.law, self.chosen.duration, EnergyBalance(self.masonry, ground))
-		self.stage = progress.runWithProgress(duration=self.chosen.duration, label="shaking", every=lookEvery, callback=self.recorder.look)
+		with yade_brick.Bill() if self.chosen.bill else contextlib.nullcontext() as self.bill:
+			self.stage = progress.runWithProgress(duration=self.chosen.duration, label="shaking", every=lookEvery, callback=self.recorder.look)
 		self.rested = rest.restState()
 
 	@property
@@ -181,8 +184,11 @@ class WallRun:
 		        microsecondsPerBrickStep=1e6 * self.stage.wallSeconds / self.stage.steps / len(self.masonry.bodies),
 		        depthBelowFloor=depthBelowFloor(self.masonry.bodies),
 		        contactsBeyondContactPart=self.law.crushedContacts,
+		        bill=self.bill.facts() if self.bill else None,
 		        **self.recorder.facts(),
 		)
+		if self.bill:
+			print(f"Bill of the shaking:\n{self.bill.table()}\n")
 		down, count = self.recorder.fallen(), len(self.masonry.bodies)
 		print(report.table(rows, title=f"{self.title}: {down} of {count} bricks fallen; results in {chosen.out}"))
 		return report.exitStatus(rows)

@@ -36,8 +36,9 @@ def _load():
 _classes = _load()
 globals().update(_classes)
 
-from . import assembly, build, motion, picture, progress, report, rest, snapshot
+from . import assembly, bill, build, motion, picture, progress, report, rest, snapshot
 from .assembly import assembled
+from .bill import Bill
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
 from .motion import Motion, readAt2, readColumns, syntheticNearFault
 from .picture import historyPlot, pictureSeries, wallPicture
