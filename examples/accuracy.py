@@ -1,0 +1,397 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# What example 05 varies, what it compares with, and how it reads what was measured: which settings are worth their time, which dial to turn first, what
+# is wasted. Arrays and numbers only: no YADE, so that all of it can be tested without one.
+"""Dials of a brick, references, Pareto front, effects of single dials, tables of examples/05_accuracy_versus_time.py."""
+
+import itertools
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+# ---- 1. dials --------------------------------------------------------------------------------------------------------------------
+
+
+class Setting(NamedTuple):
+	"""All dials of a brick and of the step; what is not given is what `yade_brick.brick` does by itself.
+
+	:param level: rigid, uniform, trilinear or refined
+	:param cells: elements along each edge of the inner part; more than 1 for refined
+	:param element: full, incompatible or bbar
+	:param inner: where the inner part ends: inset or full
+	:param thinness: edge of a brick over the thickness r of its contact part
+	:param segments: along each edge of a face
+	:param safety: of BrickTimeStepper, the dt factor
+	"""
+
+	level: str = "trilinear"
+	cells: int = 1
+	element: str = "full"
+	inner: str = "inset"
+	thinness: int = 100
+	segments: int = 4
+	safety: float = 0.9
+
+
+#: Values of each dial from coarse to fine, or from the paper's choice to the others; also the order in which neighbours are compared.
+values = {
+        "level": (("rigid", 1), ("uniform", 1), ("trilinear", 1), ("refined", 2), ("refined", 3), ("refined", 4)),
+        "element": ("full", "bbar", "incompatible"),
+        "inner": ("inset", "full"),
+        "thinness": (20, 40, 100, 200, 400),
+        "segments": (2, 4, 6, 8, 9, 16),
+        "safety": (0.9, 0.45)
+}
+#: Dials that change nothing at a level: a rigid brick has no element, and those of constant strain are all the same.
+_idle = {"rigid": {"element", "inner", "thinness"}, "uniform": {"element"}, "trilinear": set(), "refined": set()}
+
+defaults = Setting()
+better = Setting(element="incompatible", inner="full")  # around which most of the sweep goes
+
+
+def dial(setting, name):
+	"""Value of a dial; that of the level has the cells with it."""
+	return (setting.level, setting.cells) if name == "level" else getattr(setting, name)
+
+
+def active(setting):
+	"""Names of the dials that matter at its level."""
+	return [name for name in values if name not in _idle[setting.level]]
+
+
+def usual(setting):
+	"""The setting with dials that do not matter at its level as they are by default, so that settings alike are equal."""
+	return setting._replace(**{name: getattr(defaults, name) for name in _idle[setting.level]})
+
+
+def sweep(refined):
+	"""Settings of the default sweep, one dial at a time from `better`, and steps that go together.
+
+	:param refined: whether bricks can be made of several elements
+	"""
+	rigid = Setting("rigid")
+	found = [rigid, rigid._replace(segments=2), rigid._replace(segments=8), Setting("uniform"), Setting("uniform", inner="full")]
+	found += [better._replace(element=element, inner=inner) for inner in values["inner"] for element in values["element"]]
+	found += [better._replace(thinness=thinness) for thinness in values["thinness"]]
+	found += [better._replace(segments=segments) for segments in (2, 8, 16)] + [better._replace(safety=0.45)]
+	if refined:
+		two, three, four = (better._replace(level="refined", cells=cells, segments=max(4, 2 * cells)) for cells in (2, 3, 4))
+		found += [two, two._replace(element="full"), two._replace(thinness=40), two._replace(thinness=200), two._replace(thinness=400)]
+		found += [two._replace(segments=8), three, three._replace(thinness=400), four, four._replace(thinness=400)]
+	return list(dict.fromkeys(found))
+
+
+def quickSweep(refined):
+	"""A few settings that show the main effects."""
+	found = [Setting("rigid"), defaults, better, better._replace(thinness=40), better._replace(segments=8)]
+	return found + [better._replace(level="refined", cells=2)] * refined
+
+
+def everyCombination(refined):
+	"""All dials with all others: some hundred settings, for many cores."""
+	levels = [level for level in values["level"] if refined or level[0] != "refined"]
+	found = []
+	for level, *others in itertools.product(levels, *(values[name] for name in values if name != "level")):
+		setting = usual(Setting(*level, *others))
+		if setting.segments % setting.cells == 0 and setting.segments in (2, 4, 6, 8, 16):
+			found.append(setting)
+	return list(dict.fromkeys(found))
+
+
+def finest(refined):
+	"""The reference of what has no other: finer in every dial than what the shaken walls of the sweep have."""
+	fine = better._replace(thinness=400, segments=8, safety=0.45)
+	return fine._replace(level="refined", cells=3, segments=9) if refined else fine
+
+
+def shaken(settings):
+	"""Those of the settings that are not finer than `finest`: the shaken wall is compared with that."""
+	return [setting for setting in settings if setting.cells <= 3 and setting.segments <= 8]
+
+
+def levelText(setting):
+	return f"{setting.cells} x {setting.cells} x {setting.cells}" if setting.level == "refined" else setting.level
+
+
+def dialTexts(setting):
+	"""Level, element, inner, r, segments, safety as texts; '-' for what does not matter at its level."""
+	texts = {
+	        "level": levelText(setting), "element": setting.element, "inner": setting.inner, "thinness": f"L/{setting.thinness}",
+	        "segments": f"{setting.segments} x {setting.segments}", "safety": f"{setting.safety:g}"
+	}
+	return [text if name in active(setting) else "-" for name, text in texts.items()]
+
+
+#: How a dial and its value are said in a sentence.
+_said = {
+        "level": "{}", "element": "element {}", "inner": "inner part {}", "thinness": "r = {}", "segments": "{} segments", "safety": "dt factor {}"
+}
+
+
+def title(setting):
+	"""All that matters of a setting in words."""
+	said = [_said[name].format(text) for name, text in zip(values, dialTexts(setting)) if text != "-" and not (name == "safety" and setting.safety == 0.9)]
+	return ", ".join(said)
+
+
+def difference(setting, other):
+	"""Names of the dials that differ, of those that matter at both levels."""
+	return [name for name in values if name in active(setting) and name in active(other) and dial(setting, name) != dial(other, name)]
+
+
+def shortTitle(setting):
+	"""What makes it differ from `better`, for a label in a plot."""
+	if setting == better:
+		return "incompatible, full, L/100, 4 x 4"
+	texts = dict(zip(values, dialTexts(setting)))
+	short = {"element": "{}", "inner": "{}" if setting.inner == "inset" else "inner {}", "thinness": "{}", "segments": "{}", "safety": "dt x {}", "level": "{}"}
+	return ", ".join(short[name].format(texts[name]) for name in difference(setting, better))
+
+
+# ---- 2. rows of the table that says what to run -------------------------------------------------------------------------------
+
+
+class Row(NamedTuple):
+	"""One run.
+
+	:param case: cube, cantilever, weight or seismic
+	:param scale: factor on the ground motion: a little off 1 in repetitions
+	:param seconds: of shaking at most
+	:param reference: whether others are compared with it
+	"""
+
+	case: str
+	setting: Setting
+	scale: float = 1.0
+	seconds: float = 5.0
+	reference: bool = False
+
+
+cases = ("cube", "cantilever", "weight", "seismic")
+roundOff = 1e-6  # by which the motion of repetitions differs
+
+
+def plan(chosen, settings, refined, quick):
+	"""The runs of the chosen cases, the reference of the shaken wall first."""
+	rows = []
+	for case in (case for case in cases if case in chosen):
+		if case != "seismic":
+			rows += [Row(case, setting) for setting in settings]
+			continue
+		seconds = 0.8 if quick else 5.0
+		reference = better._replace(thinness=200) if quick else finest(refined)
+		rows.append(Row(case, reference, seconds=seconds, reference=True))
+		rows += [Row(case, setting, seconds=seconds) for setting in shaken(settings) if setting != reference]
+		if not quick:
+			rows += [Row(case, better, scale, seconds) for scale in (1 + roundOff, 1 - roundOff)]
+	return rows
+
+
+_columns = ("case", *Setting._fields, "scale", "seconds", "reference")
+
+
+def tableText(rows):
+	"""The rows as a table for yade-batch, which evaluates what stands in it; lines are counted from 1, row i is in line firstLine + i."""
+	lines = ["# made by 05_accuracy_versus_time.py, one run a line: yade-batch FILE 05_accuracy_versus_time.py", " ".join(("description", *_columns))]
+	for index, row in enumerate(rows):
+		entries = (row.case, *row.setting, row.scale, row.seconds, row.reference)
+		lines.append(" ".join([f"{index:03d}-{row.case}-{row.setting.level}", *(repr(entry) for entry in entries)]))
+	return "\n".join(lines) + "\n"
+
+
+firstLine = 3
+
+
+def rowOf(entries):
+	"""The Row of a dict or namespace of what stands in a line of that table."""
+	return Row(entries["case"], Setting(*(entries[name] for name in Setting._fields)), entries["scale"], entries["seconds"], bool(entries["reference"]))
+
+
+# ---- 3. references --------------------------------------------------------------------------------------------------------------
+
+#: Cube on a fixed base under a rigid plate that it may slip along, W = 200 N: change of width at the top corner by Poisson's ratio [m]. Three-dimensional
+#: elasticity, tensor-product finite elements of order 8 (tests/verification/references.json, t2.truth.rigidfree); error 2e-5.
+cubeWidth = {0.25: 5.156702e-6, 0.40: 8.2296334e-6}
+
+#: First natural frequency of the column of five cubes as one solid [Hz], likewise (col.N5.truth.r0); error 3e-5.
+cantileverFrequency = 2.3278573
+
+#: Wall of 6 x 6 under its weight as one solid: mean stress across the vertical joints at 0, 0.2 and 0.4 m from the middle, courses from below [Pa],
+#: likewise (wall.truth.straight/continuum_r=0); error 0.1 %, of the first at 0.4 m 1 %.
+headStress = np.array(
+        [
+                [-4041.0472, -1652.0603, -461.59344, 16.599283, 172.38051, 304.88554], [-3883.0038, -1405.6038, -341.93612, 31.889013, 144.66364, 236.23993],
+                [-3196.2593, -640.43736, -91.901486, 33.955919, 65.650936, 86.518999]
+        ]
+)
+#: Displacement along the wall of its vertical edge at the top of each course [m]: CalculiX 2.20, three C3D20R an edge of a brick; four digits.
+edgeSpread = np.array([1.706e-4, 1.881e-4, 1.592e-4, 1.126e-4, 0.615e-4, 0.124e-4])
+
+
+def relative(got, expected):
+	"""Root mean square of what differs, against the largest of what is expected."""
+	return float(np.sqrt(np.mean((np.asarray(got) - expected)**2)) / np.abs(expected).max())
+
+
+def historyError(times, values, referenceTimes, referenceValues, end):
+	"""Root mean square of the difference of two histories up to a time, against that of the reference; samples need not be at the same times."""
+	referenceTimes, referenceValues = np.asarray(referenceTimes), np.asarray(referenceValues)
+	counted = referenceTimes <= end
+	moved = np.interp(referenceTimes[counted], times, values)
+	return float(np.sqrt(np.mean((moved - referenceValues[counted])**2) / np.mean(referenceValues[counted]**2)))
+
+
+def judgeShaking(results):
+	"""Adds to the results of shaken walls their errors against the one that is the reference: `error` of the history before the reference cracks, and
+	`collapseError`, None where either wall stands. Returns the scatter of the time of collapse among repetitions [relative], None if there are none.
+
+	:param results: dicts with row (Row), times, displacements, firstCrack (None: never), collapse (None: stands)
+	"""
+	reference = next(result for result in results if result["row"].reference)
+	end = 0.95 * (reference["firstCrack"] or math.inf)
+	for result in results:
+		result["error"] = historyError(result["times"], result["displacements"], reference["times"], reference["displacements"], end)
+		both = result["collapse"] and reference["collapse"]
+		result["collapseError"] = abs(result["collapse"] / reference["collapse"] - 1) if both else None
+	repeated = {result["row"].setting for result in results if result["row"].scale != 1}
+	times = [result["collapse"] for result in results if result["row"].setting in repeated and result["collapse"]]
+	return (max(times) - min(times)) / reference["collapse"] if len(times) > 1 and reference["collapse"] else None
+
+
+# ---- 4. what the numbers say ----------------------------------------------------------------------------------------------------
+
+
+class Point(NamedTuple):
+	"""A setting as measured in one panel: error [-], seconds of work a simulated second."""
+
+	setting: Setting
+	error: float
+	time: float
+
+
+sameTime = 1.1  # times nearer than this are taken as equal: timing is not better than that
+noGain = 0.95  # an error left by more than this share is no gain
+
+
+def front(points):
+	"""Points that no other beats in both error and time, from the cheapest on."""
+	found, best = [], math.inf
+	for point in sorted(points, key=lambda point: (point.time, point.error)):
+		if point.error < best:
+			found.append(point)
+			best = point.error
+	return found
+
+
+class Effect(NamedTuple):
+	"""One dial turned by one notch, towards what costs more; towards the smaller error where times are the same."""
+
+	dial: str
+	before: Point
+	after: Point
+
+	@property
+	def timeFactor(self):
+		return self.after.time / self.before.time
+
+	@property
+	def errorFactor(self):
+		return self.after.error / self.before.error if self.before.error else math.inf
+
+
+def effects(points):
+	"""Effects between settings that differ in a single dial, by one notch of those measured."""
+	groups = {}
+	for point in points:
+		for name in active(point.setting):
+			rest = tuple(dial(point.setting, other) for other in values if other != name)
+			groups.setdefault((name, rest), []).append(point)
+	found = []
+	for (name, _), members in groups.items():
+		members.sort(key=lambda point: values[name].index(dial(point.setting, name)))
+		for before, after in zip(members, members[1:]):
+			ratio = after.time / before.time
+			turned = ratio < 1 / sameTime or (ratio < sameTime and after.error > before.error)
+			found.append(Effect(name, *((after, before) if turned else (before, after))))
+	return found
+
+
+def firstTurn(points, start=defaults):
+	"""The Effect that takes the most off the error for its time, of all settings that differ from `start` in one dial; None if none helps."""
+	home = next((point for point in points if point.setting == start), None)
+	if home is None:
+		return None
+	turns = [Effect(changed[0], home, point) for point in points for changed in [difference(home.setting, point.setting)] if len(changed) == 1]
+	turns = [turn for turn in turns if turn.errorFactor < noGain]
+	return max(turns, key=lambda turn: -math.log(max(turn.errorFactor, 1e-12)) / math.log(max(turn.timeFactor, sameTime)), default=None)
+
+
+def wasted(points):
+	"""Effects that cost time and leave the error as it is, or make it larger."""
+	return [effect for effect in effects(points) if effect.timeFactor > sameTime and effect.errorFactor > noGain]
+
+
+def cheapestBelow(points, limit):
+	"""The cheapest point whose error is at most the limit; None if there is none."""
+	return min((point for point in points if point.error <= limit), key=lambda point: point.time, default=None)
+
+
+def percent(value):
+	"""A share in percent with two digits that count."""
+	if value is None or not math.isfinite(value):
+		return "-"
+	return f"{100 * value:.2g} %" if value < 0.995 else f"{100 * value:.0f} %"
+
+
+def timeText(seconds):
+	return f"{seconds:.2g}" if seconds < 99.5 else f"{seconds:.0f}"
+
+
+def turnText(effect):
+	"""What an Effect turned, from what to what, and what came of it."""
+	index = list(values).index(effect.dial)
+	before, after = (_said[effect.dial].format(dialTexts(point.setting)[index]) for point in (effect.before, effect.after))
+	return f"{before} -> {after}: error {percent(effect.before.error)} -> {percent(effect.after.error)}, time x {effect.timeFactor:.2g}"
+
+
+def reading(name, points, scatter=None):
+	"""What one panel says, as lines of text; all of it from its points."""
+	lines = []
+	for limit in (0.1, 0.03, 0.01):
+		point = cheapestBelow(points, limit)
+		if point:
+			lines.append(f"error at most {percent(limit)}: {title(point.setting)} ({percent(point.error)}, {timeText(point.time)} s a simulated second)")
+	best = min(points, key=lambda point: point.error)
+	lines.append(f"smallest error: {title(best.setting)} ({percent(best.error)}, {timeText(best.time)} s a simulated second)")
+	turn, at = firstTurn(points), "the defaults"
+	if turn:
+		lines.append(f"turn first, from {at}: {turnText(turn)}")
+		then = firstTurn(points, turn.after.setting)
+		if then:
+			lines.append(f"then: {turnText(then)}")
+	# the costliest first; a long list says no more
+	for effect in sorted(wasted(points), key=lambda effect: -effect.timeFactor)[:3]:
+		lines.append(f"wasted: {turnText(effect)} (at {title(effect.before.setting)})")
+	if scatter is not None:
+		lines.append(f"runs whose motions differ by {roundOff:g} collapse within {percent(scatter)} of each other: smaller differences mean nothing")
+	return [f"**{name}.**"] + [f"- {line}" for line in lines]
+
+
+# ---- 5. tables -------------------------------------------------------------------------------------------------------------------
+
+
+def markdown(headings, rows):
+	lines = [headings, ["---"] * len(headings), *rows]
+	return "".join("| " + " | ".join(str(cell) for cell in line) + " |\n" for line in lines)
+
+
+def withinMarks(text, name, content):
+	"""The text of a page with what stands between the marks of that name replaced; the marks stay.
+
+	:raises ValueError: when the page has no such marks
+	"""
+	begin, end = f"<!-- {name}: begin -->\n", f"<!-- {name}: end -->"
+	if text.count(begin) != 1 or text.count(end) != 1 or text.index(begin) > text.index(end):
+		raise ValueError(f"the page has no part between {begin.strip()} and {end}")
+	head, rest = text.split(begin)
+	return head + begin + content + end + rest.split(end)[1]
