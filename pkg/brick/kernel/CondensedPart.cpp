@@ -139,8 +139,9 @@ namespace {
 		MatrixX remaining = shapes;
 		for (int i = 0; i < shapes.cols(); ++i) {
 			const VectorX aligned = weights.cwiseProduct(remaining.rowwise().squaredNorm());
+			const Real    enough  = (1 - sameComponent) * aligned.maxCoeff();
 			int           k       = 0;
-			while (aligned[k] < (1 - sameComponent) * aligned.maxCoeff())
+			while (aligned[k] < enough)
 				++k;
 			const VectorX along = remaining.row(k).transpose().normalized();
 			shapes.col(i)       = remaining * along;

@@ -30,11 +30,13 @@ namespace brick {
 using VectorX = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using MatrixX = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// A mesh seen from its surface. Degrees of freedom x0 y0 z0 x1 ... of the nodes of a SurfaceGrid.
+/// A mesh seen from its surface. Degrees of freedom x0 y0 z0 x1 ... of the nodes of a SurfaceGrid. M_c is full: the inside couples the surface nodes. M_s,
+/// what the lumped mesh has at these nodes themselves, is diagonal and bounds it from below, M_c - M_s being positive semidefinite: springs on the nodes
+/// have at most the frequencies that they would have with M_s.
 struct CondensedMatrices {
 	MatrixX           stiffness;     ///< K_c [N/m], symmetric to the last bit, six zero modes
-	MatrixX           mass;          ///< M_c [kg], symmetric to the last bit, positive definite; not diagonal
-	std::vector<Real> surfaceMasses; ///< M_s, the lumped mesh's own at these nodes [kg]: M_c - M_s is positive semidefinite
+	MatrixX           mass;          ///< M_c [kg], symmetric to the last bit, positive definite
+	std::vector<Real> surfaceMasses; ///< M_s, one a node [kg]
 };
 
 /// @param corners of the part at rest [m]; each cell must be admissible to nodesProblem   @param cells n along each edge, 1 to largestCells
