@@ -7,8 +7,6 @@
 
 #include <immintrin.h>
 
-#include <iostream>
-
 namespace {
 
 // Floating point operations of one update of a failed segment that is pressed and slides: a multiply-add is two; a root, a division and a comparison are one each.
@@ -72,7 +70,7 @@ public:
 	void moveFaces()
 	{
 		for (int i = 0; i < jointCount; ++i)
-			benchmark::DoNotOptimize(jointMotion(joins[i].joint, cubes[i].placement, cubes[i + 1].placement));
+			jointMotion(joins[i].joint, cubes[i].placement, cubes[i + 1].placement, joins[i].motion), benchmark::ClobberMemory();
 	}
 
 	/// Every joint has one segment left, and the others slide at Coulomb's limit.
@@ -111,17 +109,18 @@ private:
 
 	/// A joint and what a step makes of it.
 	struct Join {
-		brick::Joint                joint;
-		std::array<brick::Loads, 2> loads;
-		brick::PairSummary          sum;
-		int                         failed = 0;
+		brick::Joint       joint;
+		brick::JointMotion motion;
+		brick::JointLoads  loads;
+		brick::PairSummary sum;
+		int                failed = 0;
 	};
 
 	void loadsOf(Join& join, const brick::Placement& lower, const brick::Placement& upper) const
 	{
-		const auto motion = jointMotion(join.joint, lower, upper);
-		join.sum          = brick::PairSummary();
-		join.failed += jointLoads(join.joint, motion, springs, lower.rotation, join.loads, join.sum).total();
+		jointMotion(join.joint, lower, upper, join.motion);
+		join.sum = brick::PairSummary();
+		join.failed += jointLoads(join.joint, join.motion, tanFriction, lower.rotation, join.loads, join.sum).total();
 	}
 
 	/// The joint above a cube, cracked by turning the upper cube about a diagonal: where the last segment is, it stays pressed, to one and a half times of what the
@@ -129,7 +128,7 @@ private:
 	Join join(int lower) const
 	{
 		const auto side = [&](int i) { return brick::Side { &solid, &contactLength, segments, false, cubes[i].placement }; };
-		Join       made { *brick::joinFaces(side(lower), above, side(lower + 1), below, 1e-9), {}, {} };
+		Join       made { *brick::joinFaces(side(lower), above, side(lower + 1), below, 1e-9), {}, {}, {} };
 		made.joint.springs  = springs.at(thickness, thickness);
 		made.joint.strength = { 1e-3, 1e12, tanFriction, 1e12, 9 };
 
