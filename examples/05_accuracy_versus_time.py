@@ -48,7 +48,6 @@ from accuracy import Point, Row
 
 refined = hasattr(yade_brick.Brick(), "cells")  # whether this library makes bricks of several elements
 friction = math.radians(32)
-sampleEvery = 0.01  # of the shaken wall [s]
 memoryColumns = memoryCourses = 24
 
 # ---- 1. scenes -------------------------------------------------------------------------------------------------------------------
@@ -73,7 +72,7 @@ def startScene(setting, young=9.8e6, poisson=0.25, breakable=False):
 	        BrickDynamics(label="dynamics"),
 	        NewtonIntegrator(gravity=(0, 0, -9.8), label="newton"),
 	]
-	# refined() makes bricks of several elements of what is trilinear here
+	# addBricks() makes bricks of several elements of what is trilinear here
 	level = "trilinear" if setting.level == "refined" else setting.level
 	return dict(material=clay, deformation=level, element=setting.element, inner=setting.inner, segments=setting.segments)
 
@@ -82,7 +81,7 @@ def addBricks(bodies, setting):
 	"""Puts them into the scene, made of several elements where the setting says so; their ids."""
 	if setting.level == "refined":
 		for body in bodies:
-			body.shape.cells, body.shape.deformation = setting.cells, "refined"
+			body.shape.updateAttrs({"cells": setting.cells, "deformation": "refined"})
 	return O.bodies.append(bodies)
 
 
@@ -179,7 +178,7 @@ def seismicCase(row):
 			return True
 
 	begun = time.process_time()
-	stage = progress.runWithProgress(duration=row.seconds, label="shaking", every=sampleEvery, callback=look)
+	stage = progress.runWithProgress(duration=row.seconds, label="shaking", every=accuracy.sampleEvery, callback=look)
 	return {**found, "secondsPerSimulatedSecond": (time.process_time() - begun) / stage.simulated}
 
 
@@ -345,14 +344,16 @@ def draw(points, scatter, path):
 	for axes, (name, members) in zip(grid, points.items()):
 		drawPanel(axes, members, panels[name])
 		if name == "collapse" and scatter:
-			axes.axhspan(axes.get_ylim()[0], scatter, color="#dddddd", zorder=0)
+			lowest = axes.get_ylim()[0]
+			axes.axhspan(lowest, scatter, color="#dddddd", zorder=0)
+			axes.set_ylim(bottom=lowest)
 	for axes in grid[len(points):]:
 		axes.set_axis_off()
 	handles = [Line2D([], [], linestyle="", marker="o", color=color, label=level) for level, color in colors.items()]
 	handles += [Line2D([], [], linestyle="", marker=marker, color="#1f4e79", fillstyle="none", label=f"element {element}") for element, marker in markers.items()]
 	handles.append(Line2D([], [], color="#2e8b57", label="Pareto front"))
-	labels = f"base: {accuracy.title(accuracy.better)};\nother labels: what differs from it"
-	labels += "\ngrey: within the scatter of repetitions" if scatter else ""
+	labels = "base: {}, {},\n{}, {}, {}".format(*accuracy.title(accuracy.better).split(", ")) + "\nother labels: what differs from it"
+	labels += "\ngrey: the scatter of repetitions" if scatter else ""
 	grid[len(points)].legend(handles=handles, loc="center", frameon=False, title=labels)
 	figure.savefig(path, dpi=110)
 
@@ -374,7 +375,7 @@ def drawPanel(axes, points, title):
 def label(axes, points):
 	"""Names beside the points, moved up where they would lie on another."""
 	axes.figure.canvas.draw()
-	taken, high = [], 11
+	taken, high, behind = [], 11, dict(facecolor="white", edgecolor="none", alpha=0.7, pad=0.5)
 	for point in sorted(points, key=lambda point: point.error):
 		text = accuracy.shortTitle(point.setting)
 		x, y = axes.transData.transform((point.time, point.error))
@@ -382,7 +383,7 @@ def label(axes, points):
 		while any(abs(place - other) < high and left < x + width and x < right for left, right, other in taken):
 			place += 3
 		taken.append((x, x + width, place))
-		axes.annotate(text, (point.time, point.error), xytext=(5, (place - y) * 72 / axes.figure.dpi - 2), textcoords="offset points", fontsize=7)
+		axes.annotate(text, (point.time, point.error), xytext=(5, (place - y) * 72 / axes.figure.dpi - 2), textcoords="offset points", fontsize=7, bbox=behind)
 
 
 # ---- 6. the command ---------------------------------------------------------------------------------------------------------------

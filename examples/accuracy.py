@@ -105,8 +105,8 @@ def finest(refined):
 
 
 def shaken(settings):
-	"""Those of the settings that are not finer than `finest`: the shaken wall is compared with that."""
-	return [setting for setting in settings if setting.cells <= 3 and setting.segments <= 8]
+	"""Those of the settings that the wall is shaken with: coarser than `finest`, which they are compared with."""
+	return [setting for setting in settings if setting.cells <= 2 and setting.segments <= 8]
 
 
 def levelText(setting):
@@ -248,21 +248,25 @@ def historyError(times, values, referenceTimes, referenceValues, end):
 	return meanSquare(moved - referenceValues[counted]) / meanSquare(referenceValues[counted])
 
 
+sampleEvery = 0.01  # of the shaken wall [s]
+
+
 def judgeShaking(results):
 	"""Adds to the results of shaken walls their errors against the one that is the reference: `error` of the history before the reference cracks, and
-	`collapseError`, None where either wall stands. Returns the scatter of the time of collapse among repetitions [relative], None if there are none.
+	`collapseError`, None where either wall stands. The latter is never less than what repetitions scatter, or the time between two looks.
 
 	:param results: dicts with row (Row), times, displacements, firstCrack (None: never), collapse (None: stands)
+	:returns: that least error of the time of collapse; None if the reference stands
 	"""
 	reference = next(result for result in results if result["row"].reference)
-	end = 0.95 * (reference["firstCrack"] or math.inf)
+	end, falls = 0.95 * (reference["firstCrack"] or math.inf), reference["collapse"]
+	repeated = {result["row"].setting for result in results if result["row"].scale != 1}
+	times = [result["collapse"] for result in results if result["row"].setting in repeated and result["collapse"]] or [0]
+	least = max(max(times) - min(times), sampleEvery) / falls if falls else None
 	for result in results:
 		result["error"] = historyError(result["times"], result["displacements"], reference["times"], reference["displacements"], end)
-		both = result["collapse"] and reference["collapse"]
-		result["collapseError"] = abs(result["collapse"] / reference["collapse"] - 1) if both else None
-	repeated = {result["row"].setting for result in results if result["row"].scale != 1}
-	times = [result["collapse"] for result in results if result["row"].setting in repeated and result["collapse"]]
-	return (max(times) - min(times)) / reference["collapse"] if len(times) > 1 and reference["collapse"] else None
+		result["collapseError"] = max(abs(result["collapse"] / falls - 1), least) if result["collapse"] and falls else None
+	return least
 
 
 # ---- 4. what the numbers say ----------------------------------------------------------------------------------------------------
@@ -405,7 +409,10 @@ def notchTable(panels):
 
 
 def reading(name, points, scatter=None):
-	"""What one panel says, as lines of text; all of it from its points."""
+	"""What one panel says, as lines of text; all of it from its points.
+
+	:param scatter: error below which differences mean nothing, where there is such
+	"""
 	wanted = [(f"error at most {percent(limit)}", cheapestBelow(points, limit)) for limit in (0.1, 0.03, 0.01)]
 	wanted.append(("smallest error", min(points, key=lambda point: (point.error, point.time))))
 	# what does for the next, stricter one is said there
@@ -417,7 +424,7 @@ def reading(name, points, scatter=None):
 	for effect in sorted(wasted(points), key=lambda effect: -effect.timeFactor)[:3]:
 		lines.append(f"wasted: {turnText(effect)} (at {title(effect.before.setting)})")
 	if scatter is not None:
-		lines.append(f"runs whose motions differ by {roundOff:g} collapse within {percent(scatter)} of each other: smaller differences mean nothing")
+		lines.append(f"{percent(scatter)} is what runs scatter whose motions differ by {roundOff:g}: smaller errors count as that")
 	return [f"**{name}.**"] + [f"- {line}" for line in lines]
 
 

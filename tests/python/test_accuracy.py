@@ -103,15 +103,20 @@ class ErrorsTest(unittest.TestCase):
 	def test_shaken_walls_are_judged_against_the_reference(self):
 		fine = accuracy.finest(False)
 		found = [self.shaken(fine, 4.0, reference=True), self.shaken(better, 5.0, 1.1), self.shaken(defaults, None)]
-		self.assertIsNone(accuracy.judgeShaking(found))
+		self.assertAlmostEqual(accuracy.judgeShaking(found), accuracy.sampleEvery / 4)
 		np.testing.assert_allclose([entry["error"] for entry in found], [0, 0.1, 0], atol=1e-12)
-		self.assertEqual([entry["collapseError"] for entry in found], [0, 0.25, None])
+		self.assertEqual([entry["collapseError"] for entry in found], [accuracy.sampleEvery / 4, 0.25, None])
+		for entry in found:
+			entry["collapse"] = None
+		self.assertIsNone(accuracy.judgeShaking(found))
 
-	def test_repetitions_give_the_scatter(self):
+	def test_repetitions_give_the_least_error_of_collapse(self):
 		fine = accuracy.finest(False)
 		found = [self.shaken(fine, 4.0, reference=True), self.shaken(defaults, 1.0)]
 		found += [self.shaken(better, collapse, scale=scale) for collapse, scale in ((5.0, 1.0), (5.2, 1 + 1e-6), (4.8, 1 - 1e-6))]
+		found.append(self.shaken(better._replace(segments=8), 4.1))
 		self.assertAlmostEqual(accuracy.judgeShaking(found), 0.1)
+		np.testing.assert_allclose([entry["collapseError"] for entry in found], [0.1, 0.75, 0.25, 0.3, 0.2, 0.1])
 
 
 class ReadingTest(unittest.TestCase):
@@ -162,7 +167,7 @@ class ReadingTest(unittest.TestCase):
 		        "error at most 10 %: trilinear, element incompatible, inner part inset, r = L/100, 4 x 4 segments (5 %, 4.1 s",
 		        "smallest error: trilinear, element incompatible, inner part inset, r = L/200, 4 x 4 segments (2 %, 6 s",
 		        "from the defaults, turn first: element full -> element incompatible: error 20 % -> 5 %, time x 1",
-		        "wasted: 4 x 4 segments -> 8 x 8 segments: error 20 % -> 20 %, time x 2", "collapse within 1 % of each other"
+		        "wasted: 4 x 4 segments -> 8 x 8 segments: error 20 % -> 20 %, time x 2", "1 % is what runs scatter"
 		):
 			self.assertIn(words, text)
 		# the setting of 2 % does for 'at most 3 %' too, and is said once
