@@ -9,7 +9,7 @@
 
 namespace {
 
-// Floating point operations of one update of a failed segment that is pressed and slides: a multiply-add is two; a root, a division and a comparison are one each.
+// Floating point operations of one update of a failed segment that is pressed and slides: a multiply-add is two; a root, a division, a comparison one each.
 
 /// As the method states it, each point placed by the four nodes of its face. The yardstick: a kernel that needs fewer operations is the better for it.
 constexpr int flopsPerSegment = 2 * 3 * 7 + 3 // places of the two points, and d
@@ -31,8 +31,8 @@ constexpr int leanFlopsPerSegment = 1 // pq
         + 4 + 8                       // what the dashpot adds, the limit again
         + 3 + 3 * 7 + 1;              // force, its moments; the largest penetration
 
-/// A column of cubes with as many joints as a wall of 24 x 24 has. All segments of each joint have failed but one, so that it is a joint still; the faces press on each
-/// other and slide to and fro, which asks for every term of the law.
+/// A column of cubes with as many joints as a wall of 24 x 24 has. All segments of each joint have failed but one, so that it is a joint still; the faces press
+/// on each other and slide to and fro, which asks for every term of the law.
 class CrackedJoints {
 public:
 	static constexpr int jointCount = 1128;
@@ -123,8 +123,8 @@ private:
 		join.failed += jointLoads(join.joint, join.motion, tanFriction, lower.rotation, join.loads, join.sum).total();
 	}
 
-	/// The joint above a cube, cracked by turning the upper cube about a diagonal: where the last segment is, it stays pressed, to one and a half times of what the
-	/// joint opens from one segment to the next; its neighbours open at their edges. Mortar that resists nothing but shear and compression.
+	/// The joint above a cube, cracked by turning the upper cube about a diagonal: the segment in one corner stays pressed, by one and a half times what the joint
+	/// opens from one segment to the next; its neighbours open at their edges. The mortar resists nothing but shear and compression.
 	Join join(int lower) const
 	{
 		const auto side = [&](int i) { return brick::Side { &solid, &contactLength, segments, false, cubes[i].placement }; };

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# What is measured and what has to come out: the programs that run, the figures that are read from what they print, and the rows of the table, each with its target.
+# What is measured and what has to come out: the programs that run, the figures read from what they print, and the rows of the table, each with its target.
 """Measurements and rows of the benchmarks. Nothing is run here."""
 
 from dataclasses import dataclass, field

@@ -2,8 +2,8 @@
 # A wall of mortared bricks that stays intact, under its weight or nearly without.
 """Wall of cubes with straight joints:  build/yade -n -x -j1 benchmarks/scenes/bricks.py --columns 24 --courses 24 --model deform
 
-At rest under its weight (`--load weight`, StaticEquilibrium), or let go under a hundredth of it (`--load slight`): a large wall is then as intact as a small one,
-and needs no static solution.
+At rest under its weight (`--load weight`, StaticEquilibrium), or let go under a hundredth of it (`--load slight`): a large wall is then as intact as a
+small one, and needs no static solution.
 """
 
 import os

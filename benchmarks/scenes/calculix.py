@@ -18,9 +18,9 @@ import common
 shortRun = 0.05  # [s] simulated
 
 
-def block(lines, width=12):
+def block(numbers, width=12):
 	"""Numbers as lines of an input file."""
-	return [",".join(map(str, lines[i:i + width])) for i in range(0, len(lines), width)]
+	return [",".join(map(str, numbers[i:i + width])) for i in range(0, len(numbers), width)]
 
 
 def deck(columns, courses, duration):
@@ -51,7 +51,8 @@ def run(columns, courses, duration):
 		with open(os.path.join(folder, "wall.inp"), "w") as file:
 			file.write(deck(columns, courses, duration))
 		wall, before = time.perf_counter(), resource.getrusage(resource.RUSAGE_CHILDREN)
-		done = subprocess.run(["ccx", "-i", "wall"], cwd=folder, env={**os.environ, "OMP_NUM_THREADS": "1"}, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+		oneThread = {**os.environ, "OMP_NUM_THREADS": "1"}
+		done = subprocess.run(["ccx", "-i", "wall"], cwd=folder, env=oneThread, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 		wall, after = time.perf_counter() - wall, resource.getrusage(resource.RUSAGE_CHILDREN)
 		if "Job finished" not in done.stdout:
 			sys.exit("ccx has not finished: " + done.stdout[-600:])

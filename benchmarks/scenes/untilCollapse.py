@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# The wall of examples/02_straight_joint_wall.py, shaken until it collapses. The example records what happens every 5 ms, which has a cost of its own: the clock keeps
-# the steps and the recording apart.
+# The wall of examples/02_straight_joint_wall.py, shaken until it collapses. The example records what happens every 5 ms, which has a cost of its own: the
+# clock keeps the steps and the recording apart.
 """The paper's wall until collapse:  build/yade -n -x -j1 benchmarks/scenes/untilCollapse.py --thickness 0.001 --segments 10
 
 Takes the options of the example, of which it writes nothing.
