@@ -93,21 +93,38 @@ namespace {
 		return found;
 	}
 
+	/// Rest geometries in use, likewise.
+	shared_ptr<const brick::Hexahedron> sharedSolid(const brick::Nodes& corners)
+	{
+		static std::map<std::vector<Real>, boost::weak_ptr<const brick::Hexahedron>> inUse;
+		std::vector<Real>                                                            key;
+		for (const auto& c : corners)
+			key.insert(key.end(), c.data(), c.data() + 3);
+		auto& entry = inUse[key];
+		auto  found = entry.lock();
+		if (!found) entry = found = shared_ptr<const brick::Hexahedron>(new brick::Hexahedron(corners));
+		return found;
+	}
+
 } // namespace
 
 void Brick::postLoad(Brick&)
 {
-	const auto level = deformationOf(deformation);
+	level = deformationOf(deformation);
 	elementOf(element);
 	innerOf(inner);
 	if (segments < 1 || segments > brick::largestSegments)
 		throw std::invalid_argument("Brick.segments: " + std::to_string(segments) + "; allowed is 1 to " + std::to_string(brick::largestSegments));
 	keepDeformation();
+	// joints and contacts of the first step, before the material is known, must find a deformable brick
+	displacement.resize(isDeformable() ? brick::nodeCount : 0, Vector3r::Zero());
+	displacementRate.resize(displacement.size(), Vector3r::Zero());
 	inside.reset();
+	counted = false;
 	if (corners.empty()) return;
 
 	const brick::Nodes nodes = nodesOf(corners);
-	solid.reset(new brick::Hexahedron(nodes));
+	solid                    = sharedSolid(nodes);
 	checkPrincipalFrame(nodes);
 	if (level == brick::Deformation::Rigid) {
 		for (int f = 0; f < brick::faceCount; ++f)
@@ -140,8 +157,7 @@ void Brick::keepDeformation()
 const brick::InnerPart* Brick::innerPart(const BrickMat& material)
 {
 	if (!isDeformable()) return nullptr;
-	const std::array<Real, 3> wanted { material.young, material.poisson, material.density };
-	if (inside && insideMaterial == wanted) return inside.get();
+	if (isReady(material)) return inside.get();
 	brick::InnerPartType type;
 	type.corners     = nodesOf(corners);
 	type.deformation = deformationOf(deformation);
@@ -152,24 +168,21 @@ const brick::InnerPart* Brick::innerPart(const BrickMat& material)
 	type.poisson     = material.poisson;
 	type.density     = material.density;
 	inside           = sharedInnerPart(type);
-	insideMaterial   = wanted;
+	insideMaterial   = { material.young, material.poisson, material.density };
+	counted          = false;
 	insideAs         = innerAttributes();
 	amplitudes.resize(inside->modes.count, 0);
 	rates.resize(inside->modes.count, 0);
-	displacement.resize(brick::nodeCount, Vector3r::Zero());
-	displacementRate.resize(brick::nodeCount, Vector3r::Zero());
 	return inside.get();
 }
 
 void Brick::advance(const brick::Nodes& forces, Real dampingRatio, Real localDamping, Real dt)
 {
-	const brick::Modes& modes = inside->modes;
-	brick::Vector24     f;
-	for (int a = 0; a < brick::nodeCount; ++a)
-		f.segment<3>(3 * a) = forces[a];
+	const auto&                         modes = inside->modes;
+	std::array<Real, brick::dofCount> load;
+	inside->columns.loads(forces[0].data(), load.data());
 	for (int k = 0; k < modes.count; ++k) {
-		const Real load = modes.shapes.col(k).dot(f);
-		const auto next = brick::advanced({ amplitudes[k], rates[k] }, load, modes.omegaSquared[k], dampingRatio, localDamping, dt);
+		const auto next = brick::advanced({ amplitudes[k], rates[k] }, load[k], modes.omegaSquared[k], dampingRatio, localDamping, dt);
 		amplitudes[k]   = next.amplitude;
 		rates[k]        = next.rate;
 	}
@@ -186,16 +199,8 @@ void Brick::setAmplitudes(const std::vector<Real>& given)
 /// Displacement of the nodes and its rate from the modes.
 void Brick::updateNodes()
 {
-	const brick::Modes& modes = inside->modes;
-	brick::Vector24     u = brick::Vector24::Zero(), rate = brick::Vector24::Zero();
-	for (int k = 0; k < modes.count; ++k) {
-		u += amplitudes[k] * modes.shapes.col(k);
-		rate += rates[k] * modes.shapes.col(k);
-	}
-	for (int a = 0; a < brick::nodeCount; ++a) {
-		displacement[a]     = u.segment<3>(3 * a);
-		displacementRate[a] = rate.segment<3>(3 * a);
-	}
+	inside->columns.displacements(amplitudes.data(), displacement[0].data());
+	inside->columns.displacements(rates.data(), displacementRate[0].data());
 }
 
 brick::Nodes Brick::innerNodes() const { return inside ? inside->nodes : nodesOf(corners); }
@@ -240,6 +245,16 @@ brick::Side Brick::side(const Vector3r& position, const State& state) const
 	s.segments      = segments;
 	s.placement     = placement(position, state);
 	return s;
+}
+
+bool Brick::reachesOut(const State& state, const Vector3r& lower, const Vector3r& upper) const
+{
+	const Matrix3r R = state.ori.toRotationMatrix();
+	for (int a = 0; a < brick::nodeCount; ++a) {
+		const Vector3r x = state.pos + R * (displacement.empty() ? solid->corners[a] : Vector3r(solid->corners[a] + displacement[a]));
+		if ((x.array() < lower.array()).any() || (x.array() > upper.array()).any()) return true;
+	}
+	return false;
 }
 
 std::vector<Vector3r> Brick::worldCorners(const shared_ptr<State>& state) const

@@ -12,6 +12,8 @@
 #include "kernel/InnerPart.hpp"
 #include "kernel/Placement.hpp"
 
+#include <algorithm>
+
 namespace yade {
 
 class Brick : public Shape {
@@ -20,16 +22,35 @@ public:
 	shared_ptr<const brick::Hexahedron> solid;
 	std::array<Real, brick::faceCount>  contactLength { 0, 0, 0, 0, 0, 0 };
 
-	bool             isDeformable() const { return deformation != "rigid"; }
+	bool isDeformable() const { return level != brick::Deformation::Rigid; }
+
+	/// Whether this brick and a body were laid edge to edge and this one's joints all hold (see whole).
+	bool isHeldBeside(int id) const { return whole && std::find(beside.begin(), beside.end(), id) != beside.end(); }
+
+	/// An ordinary contact bears on this brick in the given step. May be called by several threads.
+	void noteContact(long step)
+	{
+#pragma omp atomic write
+		contactStep = step;
+	}
+	long contactStep = -1; // the last step with an ordinary contact
+	bool counted     = false; // by BrickTimeStepper, with the joints that it has now
+
 	brick::Placement placement(const Vector3r& position, const State& state) const;
 	brick::Side      side(const Vector3r& position, const State& state) const;
 
 	/// Modes of this brick in this material; equal bricks share them. Null for a rigid brick. Not to be called in parallel.
 	const brick::InnerPart* innerPart(const BrickMat& material);
 
+	/// Whether innerPart() has been asked for with this material, as it is.
+	bool isReady(const BrickMat& m) const { return !isDeformable() || (inside && insideMaterial == std::array<Real, 3> { m.young, m.poisson, m.density }); }
+
 	/// Moves the deformation part by a step under nodal forces in body axes [N].
 	/// @param localDamping of the modes, as NewtonIntegrator.damping is of the rigid motion
 	void advance(const brick::Nodes& forces, Real dampingRatio, Real localDamping, Real dt);
+
+	/// Whether a corner is outside of a box, world axes.
+	bool reachesOut(const State&, const Vector3r& lower, const Vector3r& upper) const;
 
 	/// Deforms it at rest.
 	void setAmplitudes(const std::vector<Real>&);
@@ -62,7 +83,10 @@ Limitations: small strain in the co-rotated frame; inertia forces of the rotatio
 		((vector<Real>, amplitudes, , Attr::readonly, "Amplitude of each deformation mode [sqrt(kg) m]; empty before the first step and for rigid bricks."))
 		((vector<Real>, rates, , Attr::readonly, "Rate of each amplitude, half a step before [sqrt(kg) m/s]."))
 		((vector<Vector3r>, displacement, , Attr::readonly, "Displacement of the eight nodes relative to the rigid motion, body axes [m]; empty for rigid bricks."))
-		((vector<Vector3r>, displacementRate, , Attr::readonly, "Its rate, half a step before [m/s].")),
+		((vector<Vector3r>, displacementRate, , Attr::readonly, "Its rate, half a step before [m/s]."))
+		((bool, whole, false, Attr::readonly, "Whether the brick has mortar joints and all segments of all of them hold."))
+		((int, joints, 0, Attr::readonly, "Mortar joints that were laid at this brick."))
+		((vector<int>, beside, , Attr::readonly, "Bodies that touch this brick at an edge or corner only, with a common neighbour that both are joined to: not searched for contact while both are :yref:`whole<Brick.whole>`.")),
 		/*ctor*/ createIndex();,
 		/*py*/
 		.def("worldCorners", &Brick::worldCorners, (boost::python::arg("state")), "Deformed corners in world axes for the given state [m], in the order of corners.")
@@ -79,6 +103,7 @@ Limitations: small strain in the co-rotated frame; inertia forces of the rotatio
 	REGISTER_CLASS_INDEX(Brick, Shape);
 
 private:
+	brick::Deformation                 level = brick::Deformation::Trilinear;
 	shared_ptr<const brick::InnerPart> inside;
 	std::array<Real, 3>                insideMaterial { 0, 0, 0 }; // young, poisson, density that `inside` was made for
 	string                             insideAs;                   // and the attributes
@@ -87,6 +112,12 @@ private:
 	void                               updateNodes();
 };
 REGISTER_SERIALIZABLE(Brick);
+
+/// A body's shape as a brick; null for any other.
+inline Brick* asBrick(const shared_ptr<Shape>& shape)
+{
+	return shape && shape->getClassIndex() == Brick::getClassIndexStatic() ? static_cast<Brick*>(shape.get()) : nullptr;
+}
 
 class Bo1_Brick_Aabb : public BoundFunctor {
 public:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "BrickContact.hpp"
 
+#include "Stopwatch.hpp"
+
 #include <core/Body.hpp>
 
 namespace yade {
@@ -15,8 +17,8 @@ namespace {
 	const std::array<Real, brick::faceCount> noLength { 0, 0, 0, 0, 0, 0 };
 
 	// Half sizes of the slab that stands for a wall [m]: wide beyond any scene, thick beyond any penetration, yet thin enough that heights over its
-	// face keep fourteen digits of a metre.
-	constexpr Real slabWidth = 1e7, slabThickness = 100;
+	// face keep fifteen digits of a metre.
+	constexpr Real slabWidth = 1e6, slabThickness = 10;
 
 	const brick::Hexahedron& slabAcross(int axis)
 	{
@@ -62,33 +64,42 @@ brick::Side sideOfBox(const State& state, const brick::Hexahedron& solid) { retu
 
 namespace {
 
-	/// The geometry of this step; false when there is neither a joint nor contact, and none was asked for.
-	bool updateGeom(
-	        const brick::Side&                         side0,
-	        const brick::Side&                         side1,
-	        bool                                       reversed,
-	        const shared_ptr<const brick::Hexahedron>& supportSolid,
-	        bool                                       force,
-	        const shared_ptr<Interaction>&             I)
+	BrickPhys* physOf(const Interaction& I) { return static_cast<BrickPhys*>(I.phys.get()); }
+
+	BrickGeom& geomOf(const shared_ptr<Interaction>& I)
+	{
+		if (!I->geom) I->geom = shared_ptr<IGeom>(new BrickGeom);
+		return static_cast<BrickGeom&>(*I->geom);
+	}
+
+	/// The geometry of a joint in this step.
+	void updateJoint(const brick::Placement& placement0, const brick::Placement& placement1, const brick::Joint& joint, BrickGeom& geom)
+	{
+		geom.axes   = placement0.rotation;
+		geom.origin = placement0.position;
+		brick::jointMotion(joint, placement0, placement1, geom.motion);
+	}
+
+	/// The geometry of a contact in this step; false when there is none, there was none before and none was asked for.
+	bool updateContact(const brick::Side& side0, const brick::Side& side1, bool force, const shared_ptr<Interaction>& I)
 	{
 		thread_local std::vector<brick::ContactSpot> found;
-		const BrickPhys*                             phys    = static_cast<const BrickPhys*>(I->phys.get());
-		const bool                                   jointed = phys && phys->isJoint();
-		if (!jointed) {
-			brick::findContact(side0, side1, found);
-			if (found.empty() && !I->geom && !force) return false;
-		}
-		if (!I->geom) I->geom = shared_ptr<IGeom>(new BrickGeom);
-		BrickGeom& geom   = static_cast<BrickGeom&>(*I->geom);
-		geom.sides        = { side0, side1 };
-		geom.reversed     = reversed;
-		geom.supportSolid = supportSolid;
-		if (jointed) {
-			geom.motion = brick::jointMotion(phys->joint, side0.placement, side1.placement);
-			geom.spots.clear();
-		} else
-			std::swap(geom.spots, found);
-		geom.spotCount = int(geom.spots.size());
+		brick::findContact(side0, side1, found);
+		if (found.empty() && !I->geom && !force) return false;
+		BrickGeom& geom = geomOf(I);
+		if (!geom.contact) geom.contact.reset(new BrickGeom::Contact);
+		geom.contact->sides = { side0, side1 };
+		std::swap(geom.contact->spots, found);
+		geom.spotCount = int(geom.contact->spots.size());
+		return true;
+	}
+
+	/// Joint or contact of a brick with a support.
+	bool updateOnSupport(const brick::Side& support, const brick::Side& side1, bool force, const shared_ptr<Interaction>& I)
+	{
+		const BrickPhys* phys = physOf(*I);
+		if (!phys || !phys->isJoint()) return updateContact(support, side1, force, I);
+		updateJoint(support.placement, side1.placement, phys->joint, geomOf(I));
 		return true;
 	}
 
@@ -103,11 +114,24 @@ bool Ig2_Brick_Brick_BrickGeom::go(
         const bool&                    force,
         const shared_ptr<Interaction>& I)
 {
-	const Brick &first = static_cast<const Brick&>(*shape1), &second = static_cast<const Brick&>(*shape2);
+	const Stopwatch watch(seconds);
+	const Brick &   first = static_cast<const Brick&>(*shape1), &second = static_cast<const Brick&>(*shape2);
 	if (!first.solid || !second.solid) return false;
-	const brick::Side side1 = first.side(state1.pos, state1), side2 = second.side(state2.pos + shift2, state2);
-	const bool        reversed = I->getId1() > I->getId2();
-	return updateGeom(reversed ? side2 : side1, reversed ? side1 : side2, reversed, nullptr, force, I);
+	const bool       reversed = I->getId1() > I->getId2();
+	const Brick &    shape0   = reversed ? second : first, &other = reversed ? first : second;
+	const State &    state0   = reversed ? state2 : state1, &state = reversed ? state1 : state2;
+	const Vector3r   position0 = reversed ? Vector3r(state2.pos + shift2) : state1.pos, position = reversed ? state1.pos : Vector3r(state2.pos + shift2);
+	const BrickPhys* phys = physOf(*I);
+	if (phys && phys->isJoint()) {
+		BrickGeom& geom = geomOf(I);
+		geom.reversed   = reversed;
+		updateJoint(shape0.placement(position0, state0), other.placement(position, state), phys->joint, geom);
+		return true;
+	}
+	if (!phys && !force && first.isHeldBeside(I->getId2()) && second.whole) return false;
+	if (!updateContact(shape0.side(position0, state0), other.side(position, state), force, I)) return false;
+	static_cast<BrickGeom&>(*I->geom).reversed = reversed;
+	return true;
 }
 
 bool Ig2_Wall_Brick_BrickGeom::go(
@@ -119,10 +143,11 @@ bool Ig2_Wall_Brick_BrickGeom::go(
         const bool&                    force,
         const shared_ptr<Interaction>& I)
 {
-	const Brick& b = static_cast<const Brick&>(*shape);
+	const Stopwatch watch(seconds);
+	const Brick&    b = static_cast<const Brick&>(*shape);
 	if (!b.solid) return false;
 	const Vector3r position = state2.pos + shift2;
-	return updateGeom(sideOfWall(static_cast<const Wall&>(*wall), state1, position), b.side(position, state2), false, nullptr, force, I);
+	return updateOnSupport(sideOfWall(static_cast<const Wall&>(*wall), state1, position), b.side(position, state2), force, I);
 }
 
 bool Ig2_Box_Brick_BrickGeom::go(
@@ -134,12 +159,15 @@ bool Ig2_Box_Brick_BrickGeom::go(
         const bool&                    force,
         const shared_ptr<Interaction>& I)
 {
-	const Brick& b = static_cast<const Brick&>(*shape);
+	const Stopwatch watch(seconds);
+	const Brick&    b = static_cast<const Brick&>(*shape);
 	if (!b.solid) return false;
 	shared_ptr<const brick::Hexahedron> solid;
 	if (I->geom) solid = static_cast<const BrickGeom&>(*I->geom).supportSolid;
 	if (!solid) solid.reset(new brick::Hexahedron(brick::cuboidCorners(2 * static_cast<const Box&>(*box).extents)));
-	return updateGeom(sideOfBox(state1, *solid), b.side(state2.pos + shift2, state2), false, solid, force, I);
+	if (!updateOnSupport(sideOfBox(state1, *solid), b.side(state2.pos + shift2, state2), force, I)) return false;
+	static_cast<BrickGeom&>(*I->geom).supportSolid = solid;
+	return true;
 }
 
 // ------------------------------------------------------------------------------------------------------------- physics
@@ -165,6 +193,14 @@ brick::PairSprings pairSprings(const Material& material0, bool support, const Br
 	return s;
 }
 
+Real thinnestContactPart(const std::array<brick::Side, 2>& sides)
+{
+	Real thinnest = std::numeric_limits<Real>::infinity();
+	for (const auto& side : sides)
+		if (!side.support) thinnest = std::min(thinnest, *std::min_element(side.contactLength->begin(), side.contactLength->end()));
+	return thinnest;
+}
+
 namespace {
 
 	void makePhys(const Interaction& I, Scene* scene, shared_ptr<IPhys>& out)
@@ -173,8 +209,9 @@ namespace {
 		const auto&           first  = Body::byId(geom.reversed ? I.getId2() : I.getId1(), scene);
 		const auto&           second = Body::byId(geom.reversed ? I.getId1() : I.getId2(), scene);
 		shared_ptr<BrickPhys> phys(new BrickPhys);
-		phys->springs                = pairSprings(*first->material, geom.sides[0].support, static_cast<const BrickMat&>(*second->material));
+		phys->springs                = pairSprings(*first->material, geom.contact->sides[0].support, static_cast<const BrickMat&>(*second->material));
 		phys->tangensOfFrictionAngle = phys->springs.tanFriction;
+		phys->contactPart            = thinnestContactPart(geom.contact->sides);
 		out                          = phys;
 	}
 
@@ -193,18 +230,12 @@ void Ip2_FrictMat_BrickMat_BrickPhys::go(const shared_ptr<Material>&, const shar
 std::vector<int> BrickPhys::segmentState() const
 {
 	if (!isJoint()) return failureModes;
-	std::vector<int> out;
-	for (const auto& s : joint.segments)
-		out.push_back(int(s.state));
-	return out;
+	return ofSegments<int>([this](int s) { return int(brick::segmentOf(joint, s).state); });
 }
 
 std::vector<Real> BrickPhys::segmentArea() const
 {
-	std::vector<Real> out;
-	for (const auto& s : joint.segments)
-		out.push_back(s.area);
-	return out;
+	return ofSegments<Real>([this](int s) { return brick::segmentOf(joint, s).area; });
 }
 
 namespace {
@@ -212,8 +243,7 @@ namespace {
 	void needStep(const shared_ptr<BrickGeom>& geom)
 	{
 		if (!geom) throw std::invalid_argument("geom is None; it must be the BrickGeom of the same interaction");
-		if (!geom->sides[0].solid)
-			throw std::runtime_error("The geometry of this joint is known after the first step: run O.step() before asking for it.");
+		if (!geom->isKnown()) throw std::runtime_error("The geometry of this joint is known after the first step: run O.step() before asking for it.");
 	}
 
 } // namespace
@@ -221,59 +251,43 @@ namespace {
 std::vector<Vector3r> BrickPhys::segmentPoints(const shared_ptr<BrickGeom>& geom) const
 {
 	needStep(geom);
-	std::vector<Vector3r> out;
-	for (const auto& s : joint.segments) {
-		Vector3r x = Vector3r::Zero();
-		for (int a = 0; a < 4; ++a)
-			x += (s.weights[0][a] * geom->motion.positions[0][a] + s.weights[1][a] * geom->motion.positions[1][a]) / 2;
-		out.push_back(geom->sides[0].placement.position + geom->sides[0].placement.rotation * x);
-	}
-	return out;
+	const brick::CornerVectors middle = geom->motion.place + geom->motion.opening / 2;
+	return ofSegments<Vector3r>([&](int s) {
+		const auto segment = brick::segmentOf(joint, s);
+		return Vector3r(geom->origin + geom->axes * (middle.transpose() * brick::cornerWeights(segment.p, segment.q)));
+	});
 }
 
 std::vector<Real> BrickPhys::normalStress(const shared_ptr<BrickGeom>& geom) const
 {
 	needStep(geom);
-	std::vector<Real> out;
-	for (const auto& s : joint.segments)
-		out.push_back(brick::segmentTraction(joint, s, geom->motion, springs.tanFriction).normal);
-	return out;
+	return ofSegments<Real>([&](int s) { return brick::segmentTraction(joint, s, geom->motion, springs.tanFriction).normal; });
 }
 
 std::vector<Vector3r> BrickPhys::shearStress(const shared_ptr<BrickGeom>& geom) const
 {
 	needStep(geom);
-	std::vector<Vector3r> out;
-	for (const auto& s : joint.segments)
-		out.push_back(geom->sides[0].placement.rotation * brick::segmentTraction(joint, s, geom->motion, springs.tanFriction).shear);
-	return out;
+	return ofSegments<Vector3r>(
+	        [&](int s) { return Vector3r(geom->axes * brick::segmentTraction(joint, s, geom->motion, springs.tanFriction).shear); });
 }
 
 Real BrickPhys::elasticEnergy(const shared_ptr<BrickGeom>& geom) const
 {
 	needStep(geom);
-	return isJoint() ? brick::jointEnergy(joint, geom->motion, springs.tanFriction)
-	                 : brick::contactEnergy(geom->sides[0], geom->sides[1], geom->spots, springs, memory);
+	if (isJoint()) return brick::jointEnergy(joint, geom->motion, springs.tanFriction);
+	return brick::contactEnergy(geom->contact->sides[0], geom->contact->sides[1], geom->contact->spots, springs, memory);
 }
 
 // ----------------------------------------------------------------------------------------------------------------- law
 
 namespace {
 
-	Real thinnestContactPart(const std::array<brick::Side, 2>& sides)
-	{
-		Real thinnest = std::numeric_limits<Real>::infinity();
-		for (const auto& side : sides)
-			if (!side.support) thinnest = std::min(thinnest, *std::min_element(side.contactLength->begin(), side.contactLength->end()));
-		return thinnest;
-	}
-
 	/// What readers of YADE's own geometry and physics expect, in the interaction's order of bodies.
-	void fillReport(const brick::PairSummary& sum, BrickGeom& geom, BrickPhys& phys)
+	void fillReport(const brick::PairSummary& sum, const Vector3r& origin, BrickGeom& geom, BrickPhys& phys)
 	{
 		const Real sign   = geom.reversed ? -1 : 1;
 		geom.normal       = sign * sum.normal;
-		geom.contactPoint = geom.sides[0].placement.position + sum.point;
+		geom.contactPoint = origin + sum.point;
 		geom.refR1 = geom.refR2 = std::sqrt(sum.area) / 2;
 		geom.penetration        = sum.penetration;
 		geom.area               = sum.area;
@@ -283,41 +297,78 @@ namespace {
 		phys.shearForce         = sign * sum.shearForce;
 	}
 
+	/// The last segment has failed: the pair goes on as an ordinary contact, with the same shear, and with the joint's forces in this step.
+	void endJoint(const brick::Side& side0, const brick::Side& side1, BrickGeom& geom, BrickPhys& phys)
+	{
+		phys.memory       = brick::tractionsOfJoint(phys.joint, geom.motion, phys.springs.tanFriction, side0, side1);
+		phys.failureModes = phys.segmentState();
+		phys.contactLoads.reset(new std::array<brick::Loads, 2>);
+		for (int side = 0; side < 2; ++side) {
+			brick::Loads& loads = (*phys.contactLoads)[side];
+			loads.force         = phys.loads.force[side];
+			loads.torque        = phys.loads.torque[side];
+			for (int a = 0; a < 4 && geom.motion.deformable[side]; ++a)
+				loads.nodal[phys.joint.faces[side].nodes[a]] = phys.loads.nodal[side].row(a);
+		}
+		geom.contact.reset(new BrickGeom::Contact);
+		geom.contact->sides = { side0, side1 };
+		phys.joint          = brick::Joint();
+	}
+
+	brick::Side sideOf(const Body& b, const BrickGeom& geom, const Vector3r& brickPosition)
+	{
+		if (const auto* shape = dynamic_cast<const Brick*>(b.shape.get())) return shape->side(b.state->pos, *b.state);
+		if (const auto* wall = dynamic_cast<const Wall*>(b.shape.get())) return sideOfWall(*wall, *b.state, brickPosition);
+		return sideOfBox(*b.state, *geom.supportSolid);
+	}
+
 } // namespace
+
+void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phys)
+{
+	const Stopwatch    watch(jointSeconds);
+	brick::PairSummary sum;
+	const auto         failures = brick::jointLoads(phys.joint, geom.motion, phys.springs.tanFriction, geom.axes, phys.loads, sum);
+	const Body &       first = *Body::byId(phys.ids[0], scene), &second = *Body::byId(phys.ids[1], scene);
+	if (phys.joint.faces[0].face < 0) phys.loads.torque[0] += (geom.origin - first.state->pos).cross(phys.loads.force[0]);
+	fillReport(sum, geom.origin, geom, phys);
+	if (failures.total() == 0) return;
+#pragma omp atomic
+	tensionFailures += failures.tension;
+#pragma omp atomic
+	shearFailures += failures.shear;
+#pragma omp atomic
+	compressionFailures += failures.compression;
+	if (phys.joint.intact() == 0) endJoint(sideOf(first, geom, second.state->pos), sideOf(second, geom, second.state->pos), geom, phys);
+}
+
+void Law2_BrickGeom_BrickPhys_Mortar::applyContact(BrickGeom& geom, BrickPhys& phys)
+{
+	const Stopwatch                   watch(contactSeconds);
+	thread_local brick::ContactMemory scratch;
+	brick::PairSummary                sum;
+	const auto&                       sides = geom.contact->sides;
+	if (!phys.contactLoads) phys.contactLoads.reset(new std::array<brick::Loads, 2>);
+	auto& loads = *phys.contactLoads;
+	brick::contactLoads(sides[0], sides[1], geom.contact->spots, phys.springs, scene->dt, phys.memory, scratch, loads, sum);
+	if (sides[0].support) loads[0].torque += (sides[0].placement.position - Body::byId(phys.ids[0], scene)->state->pos).cross(loads[0].force);
+	fillReport(sum, sides[0].placement.position, geom, phys);
+	for (const Body::id_t id : phys.ids)
+		if (Brick* shape = asBrick(Body::byId(id, scene)->shape)) shape->noteContact(scene->iter);
+}
 
 bool Law2_BrickGeom_BrickPhys_Mortar::go(shared_ptr<IGeom>& ig, shared_ptr<IPhys>& ip, Interaction* I)
 {
-	BrickGeom&         geom  = static_cast<BrickGeom&>(*ig);
-	BrickPhys&         phys  = static_cast<BrickPhys&>(*ip);
-	const auto&        sides = geom.sides;
-	brick::PairSummary sum;
-	phys.ids = { geom.reversed ? I->getId2() : I->getId1(), geom.reversed ? I->getId1() : I->getId2() };
-	if (phys.isJoint()) {
-		const auto failures = brick::jointLoads(phys.joint, geom.motion, phys.springs, sides[0].placement.rotation, phys.loads, sum);
-		if (failures.total() > 0) {
-#pragma omp atomic
-			tensionFailures += failures.tension;
-#pragma omp atomic
-			shearFailures += failures.shear;
-#pragma omp atomic
-			compressionFailures += failures.compression;
-		}
-		if (phys.joint.intact == 0) {
-			phys.memory       = brick::tractionsOfJoint(phys.joint, geom.motion, phys.springs.tanFriction, sides[0], sides[1]);
-			phys.failureModes = phys.segmentState();
-			phys.joint        = brick::Joint();
-		}
-	} else {
-		if (geom.spots.empty()) return false;
-		brick::contactLoads(sides[0], sides[1], geom.spots, phys.springs, scene->dt, phys.memory, phys.scratch, phys.loads, sum);
-	}
-	if (sides[0].support) {
-		const Vector3r& centre = Body::byId(phys.ids[0], scene)->state->pos;
-		phys.loads[0].torque += (sides[0].placement.position - centre).cross(phys.loads[0].force);
-	}
-	fillReport(sum, geom, phys);
+	BrickGeom& geom = static_cast<BrickGeom&>(*ig);
+	BrickPhys& phys = static_cast<BrickPhys&>(*ip);
+	phys.ids        = { geom.reversed ? I->getId2() : I->getId1(), geom.reversed ? I->getId1() : I->getId2() };
+	if (phys.isJoint()) applyJoint(geom, phys);
+	else if (geom.contact->spots.empty())
+		return false;
+	else
+		applyContact(geom, phys);
 
-	const Real depth = sum.penetration / thinnestContactPart(sides);
+	const Real depth = geom.penetration / phys.contactPart;
 	if (depth > 1 && phys.deepest <= 1) {
 #pragma omp atomic
 		++crushedContacts;

@@ -19,11 +19,18 @@ namespace yade {
 class BrickGeom : public GenericSpheresContact {
 public:
 	// present geometry, found anew in each step
-	std::array<brick::Side, 2>          sides;
-	std::vector<brick::ContactSpot>     spots;  // of an ordinary contact
-	brick::JointMotion                  motion; // of a joint
+	struct Contact {
+		std::array<brick::Side, 2>      sides;
+		std::vector<brick::ContactSpot> spots;
+	};
+	std::unique_ptr<Contact>            contact;                         // of an ordinary contact
+	brick::JointMotion                  motion;                          // of a joint
+	Matrix3r                            axes { Matrix3r::Zero() };       // of side 0 in a joint, to world axes; zero before the first step
+	Vector3r                            origin { Vector3r::Zero() };     // position of side 0 in a joint
 	shared_ptr<const brick::Hexahedron> supportSolid;
 	bool                                reversed = false; // side 0 is the interaction's id2
+
+	bool isKnown() const { return contact || !axes.isZero(0); }
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR(BrickGeom, GenericSpheresContact, "Geometry of a joint or contact of a :yref:`Brick`: where the segments of either body are inside the other, or how far the two faces of a joint have moved apart. :yref:`normal<GenericSpheresContact.normal>` points from id1 to id2, :yref:`contactPoint<GenericSpheresContact.contactPoint>` is the middle of the area in contact.",
@@ -40,18 +47,26 @@ REGISTER_SERIALIZABLE(BrickGeom);
 class BrickPhys : public FrictPhys {
 public:
 	// what this interaction does to its two bodies in the present step; side 0 as in BrickGeom
-	std::array<brick::Loads, 2> loads;
-	std::array<Body::id_t, 2>   ids { -1, -1 };
-	brick::ContactMemory        scratch;
+	std::array<Body::id_t, 2>                    ids { -1, -1 };
+	brick::JointLoads                            loads;    // of a joint
+	std::unique_ptr<std::array<brick::Loads, 2>> contactLoads; // of an ordinary contact; null for a joint
 
 	bool                  isJoint() const { return joint.exists(); }
-	int                   segmentCount() const { return int(joint.segments.size()); }
 	std::vector<int>      segmentState() const;
 	std::vector<Real>     segmentArea() const;
 	std::vector<Vector3r> segmentPoints(const shared_ptr<BrickGeom>&) const;
 	std::vector<Real>     normalStress(const shared_ptr<BrickGeom>&) const;
 	std::vector<Vector3r> shearStress(const shared_ptr<BrickGeom>&) const;
 	Real                  elasticEnergy(const shared_ptr<BrickGeom>&) const;
+
+	/// A value for each segment of the joint.
+	template <class Value, class Read> std::vector<Value> ofSegments(Read read) const
+	{
+		std::vector<Value> out;
+		for (int s = 0; s < joint.count; ++s)
+			out.push_back(read(s));
+		return out;
+	}
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(BrickPhys, FrictPhys, R"(Springs, mortar and friction between a :yref:`Brick` and another body [Furukawa2014]_, eqs. (2)-(9), (16).
@@ -61,6 +76,7 @@ public:
 		((brick::Joint, joint, , Attr::hidden, "Mortar joint; without segments for an ordinary contact."))
 		((vector<int>, failureModes, , Attr::readonly, "How each segment of the joint that this contact once was had failed: see segmentState."))
 		((brick::ContactMemory, memory, , Attr::hidden, "Shear tractions of an ordinary contact."))
+		((Real, contactPart, NaN, Attr::hidden, "Thickness of the thinner contact part [m]."))
 		((Real, deepest, 0, Attr::readonly, "Largest penetration so far as a fraction of the thinner contact part; above 1 the contact is outside the method (crushing).")),
 		createIndex();,
 		/*py*/
@@ -83,7 +99,12 @@ public:
 	        override;
 	FUNCTOR2D(Brick, Brick);
 	DEFINE_FUNCTOR_ORDER_2D(Brick, Brick);
-	YADE_CLASS_BASE_DOC(Ig2_Brick_Brick_BrickGeom, IGeomFunctor, "Joint or contact of two bricks in any position.");
+	YADE_CLASS_BASE_DOC_ATTRS(
+	        Ig2_Brick_Brick_BrickGeom,
+	        IGeomFunctor,
+	        "Joint or contact of two bricks in any position. Bricks that were laid edge to edge, with joints to the same neighbour, are not searched for contact as "
+	        "long as they are :yref:`whole<Brick.whole>`: their joints hold them apart.",
+	        ((Real, seconds, 0, Attr::readonly, "Time spent here while O.timingEnabled, summed over threads [s].")));
 };
 REGISTER_SERIALIZABLE(Ig2_Brick_Brick_BrickGeom);
 
@@ -93,11 +114,12 @@ public:
 	        override;
 	FUNCTOR2D(Wall, Brick);
 	DEFINE_FUNCTOR_ORDER_2D(Wall, Brick);
-	YADE_CLASS_BASE_DOC(
+	YADE_CLASS_BASE_DOC_ATTRS(
 	        Ig2_Wall_Brick_BrickGeom,
 	        IGeomFunctor,
 	        "Joint or contact of a brick with a :yref:`Wall`. The wall is rigid: the brick's segments and springs count alone. A wall of sense 0 is "
-	        "touched from the side on which the brick's centre is.");
+	        "touched from the side on which the brick's centre is.",
+	        ((Real, seconds, 0, Attr::readonly, "Time spent here while O.timingEnabled, summed over threads [s].")));
 };
 REGISTER_SERIALIZABLE(Ig2_Wall_Brick_BrickGeom);
 
@@ -107,11 +129,12 @@ public:
 	        override;
 	FUNCTOR2D(Box, Brick);
 	DEFINE_FUNCTOR_ORDER_2D(Box, Brick);
-	YADE_CLASS_BASE_DOC(
+	YADE_CLASS_BASE_DOC_ATTRS(
 	        Ig2_Box_Brick_BrickGeom,
 	        IGeomFunctor,
 	        "Joint or contact of a brick with a :yref:`Box`, which is a rigid support or platen: the brick's segments and springs count alone, so a corner "
-	        "of a box that points into the middle of a brick's face is felt only through the brick's segments around it.");
+	        "of a box that points into the middle of a brick's face is felt only through the brick's segments around it.",
+	        ((Real, seconds, 0, Attr::readonly, "Time spent here while O.timingEnabled, summed over threads [s].")));
 };
 REGISTER_SERIALIZABLE(Ig2_Box_Brick_BrickGeom);
 
@@ -149,14 +172,23 @@ In a joint that has cracked a segment also fails in tension when its edge opens 
 		((long, shearFailures, 0, Attr::readonly, "Segments failed in shear so far, eq. (7)."))
 		((long, compressionFailures, 0, Attr::readonly, "Segments failed in compression so far, eq. (8)."))
 		((long, crushedContacts, 0, Attr::readonly, "Interactions so far whose penetration came to exceed the contact part: outside the method, computed on with the same springs."))
+		((Real, jointSeconds, 0, Attr::readonly, "Time spent on joints while O.timingEnabled, summed over threads [s]."))
+		((Real, contactSeconds, 0, Attr::readonly, "Time spent on ordinary contacts while O.timingEnabled, summed over threads [s]."))
 	);
 	// clang-format on
+
+private:
+	void applyJoint(BrickGeom&, BrickPhys&);
+	void applyContact(BrickGeom&, BrickPhys&);
 };
 REGISTER_SERIALIZABLE(Law2_BrickGeom_BrickPhys_Mortar);
 
 /// A wall as a slab whose one face is the wall, on the side of the given point.
 brick::Side sideOfWall(const Wall&, const State&, const Vector3r& brickPosition);
 brick::Side sideOfBox(const State&, const brick::Hexahedron&);
+
+/// Thickness of the thinner contact part of a pair's bricks [m].
+Real thinnestContactPart(const std::array<brick::Side, 2>&);
 
 /// Compliances, densities, damping and friction of two bodies; side 0 may be a support of any FrictMat.
 brick::PairSprings pairSprings(const Material& side0, bool support, const BrickMat& side1);

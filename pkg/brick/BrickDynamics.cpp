@@ -16,13 +16,73 @@ namespace {
 
 	const BrickMat& checkedMaterial(const Body& b, const Brick& shape)
 	{
-		const auto* material = dynamic_cast<const BrickMat*>(b.material.get());
+		const auto* material = asBrickMat(b.material);
 		if (!material) refuse(b, "its material must be a BrickMat");
 		if (!shape.solid) refuse(b, "it has no corners");
 		const State& s = *b.state;
 		if (b.isDynamic() && !(s.mass > 0 && s.inertia.minCoeff() > 0))
 			refuse(b, "mass " + std::to_string(s.mass) + " kg and inertia must be positive (use yade_brick.brick to make bodies)");
 		return *material;
+	}
+
+	/// Whether a brick can be moved on as it is.
+	bool isReady(const Body& b, const Brick& shape)
+	{
+		const auto* material = asBrickMat(b.material);
+		return material && shape.solid && shape.isReady(*material) && (!b.isDynamic() || (b.state->mass > 0 && b.state->inertia.minCoeff() > 0));
+	}
+
+	constexpr int worthThreads = 200; // bodies; starting and ending a parallel region costs as much as some dozens
+
+	/// What acts on a brick, summed over its interactions in the order of ids.
+	struct Total {
+		Vector3r     force { Vector3r::Zero() }, torque { Vector3r::Zero() };
+		brick::Nodes nodal;
+		bool         deformable; // so that nodal is wanted
+		int          holding = 0; // joints all of whose segments hold
+		bool         any     = false;
+
+		explicit Total(bool deformable)
+		        : deformable(deformable)
+		{
+			nodal.fill(Vector3r::Zero());
+		}
+		void add(const BrickPhys& phys, Body::id_t id)
+		{
+			const int side = phys.ids[0] == id ? 0 : 1;
+			any            = true;
+			if (phys.isJoint()) addJoint(phys.joint.faces[side].nodes, phys.loads, side);
+			else if (phys.contactLoads)
+				addContact((*phys.contactLoads)[side]);
+			holding += phys.isJoint() && phys.joint.holds();
+		}
+
+	private:
+		void addJoint(const std::array<int, 4>& nodes, const brick::JointLoads& loads, int side)
+		{
+			force += loads.force[side];
+			torque += loads.torque[side];
+			for (int a = 0; a < 4 && deformable; ++a)
+				nodal[nodes[a]] += loads.nodal[side].row(a);
+		}
+		void addContact(const brick::Loads& loads)
+		{
+			force += loads.force;
+			torque += loads.torque;
+			for (int a = 0; a < brick::nodeCount && deformable; ++a)
+				nodal[a] += loads.nodal[a];
+		}
+	};
+
+	Total totalOf(const Body& b, bool deformable)
+	{
+		Total total(deformable);
+		for (const auto& item : b.intrs) {
+			const IPhys* phys = item.second->phys.get();
+			if (!phys || !item.second->geom || phys->getClassIndex() != BrickPhys::getClassIndexStatic()) continue;
+			total.add(static_cast<const BrickPhys&>(*phys), b.getId());
+		}
+		return total;
 	}
 
 } // namespace
@@ -32,70 +92,63 @@ void BrickDynamics::postLoad(BrickDynamics&)
 	if (!(damping >= 0 && damping < 1)) throw std::invalid_argument("BrickDynamics.damping: " + std::to_string(damping) + "; must be in [0, 1)");
 }
 
-/// Bodies that take part: bricks, and whatever they touch. Serial, since it may find out the modes of a new type of brick.
-void BrickDynamics::gather()
+/// Finds bricks that something was changed at since the last step, and what they need. Raises before anything has moved.
+void BrickDynamics::prepare()
 {
-	members.clear();
-	for (const auto& b : *scene->bodies) {
-		if (!b || !b->shape) continue;
-		Brick* shape = dynamic_cast<Brick*>(b->shape.get());
-		if (!shape && b->intrs.empty()) continue;
-		Member m { b.get(), shape, 0, {} };
-		if (shape) {
-			const BrickMat& material = checkedMaterial(*b, *shape);
-			shape->innerPart(material);
-			m.dampingRatio = material.dampingRatio;
-		}
-		members.push_back(m);
+	const int count    = int(scene->bodies->size());
+	bool      allReady = true;
+#pragma omp parallel for schedule(static) reduction(&& : allReady) if (count > worthThreads)
+	for (int id = 0; id < count; ++id) {
+		const auto&  b     = (*scene->bodies)[id];
+		const Brick* shape = b ? asBrick(b->shape) : nullptr;
+		allReady           = allReady && (!shape || isReady(*b, *shape));
 	}
+	if (allReady) return;
+	for (const auto& b : *scene->bodies)
+		if (Brick* shape = asBrick(b->shape)) shape->innerPart(checkedMaterial(*b, *shape));
 }
 
-void BrickDynamics::sum(Member& m) const
+/// Sums what acts on a body, and moves a brick's deformation on.
+void BrickDynamics::moveOn(Body& b, Sum& sum)
 {
-	const Body::id_t id = m.body->getId();
-	for (const auto& item : m.body->intrs) {
-		const auto* phys = dynamic_cast<const BrickPhys*>(item.second->phys.get());
-		if (!phys || !item.second->geom) continue;
-		const brick::Loads& loads = phys->loads[phys->ids[0] == id ? 0 : 1];
-		m.total.force += loads.force;
-		m.total.torque += loads.torque;
-		if (m.brick && m.brick->isDeformable())
-			for (int a = 0; a < brick::nodeCount; ++a)
-				m.total.nodal[a] += loads.nodal[a];
-	}
+	Brick* shape = asBrick(b.shape);
+	sum.any      = false;
+	if (!shape && b.intrs.empty()) return;
+	const Total total = totalOf(b, shape && shape->isDeformable());
+	sum               = { total.force, total.torque, total.any };
+	if (!shape) return;
+	shape->whole = shape->joints > 0 && total.holding == shape->joints;
+	if (shape->isDeformable()) shape->advance(total.nodal, static_cast<const BrickMat&>(*b.material).dampingRatio, damping, scene->dt);
+	if (!scene->doSort && !scene->isPeriodic) askForNewBounds(b, *shape);
 }
 
 /// The collider's strides watch centres only; a brick that turns or bulges out of its box asks for a new run.
-void BrickDynamics::askForNewBounds(const Member& m) const
+void BrickDynamics::askForNewBounds(const Body& b, const Brick& shape) const
 {
-	const auto& bound = m.body->bound;
-	if (!m.brick || !bound || bound->lastUpdateIter == scene->iter) return;
-	for (const Vector3r& x : m.brick->worldCorners(m.body->state))
-		if ((x.array() < bound->min.array()).any() || (x.array() > bound->max.array()).any()) {
-			scene->doSort = true;
-			return;
-		}
+	if (!b.bound || b.bound->lastUpdateIter == scene->iter || !shape.reachesOut(*b.state, b.bound->min, b.bound->max)) return;
+#pragma omp atomic write
+	scene->doSort = true;
 }
 
 void BrickDynamics::action()
 {
-	gather();
-	const int count = int(members.size());
-#pragma omp parallel for schedule(static) if (count > 200)
-	for (int i = 0; i < count; ++i) {
-		Member& m = members[i];
-		sum(m);
-		if (m.brick && m.brick->isDeformable()) m.brick->advance(m.total.nodal, m.dampingRatio, damping, scene->dt);
-	}
+	prepare();
+	const int count = int(scene->bodies->size());
+	sums.resize(count);
+#pragma omp parallel for schedule(static) if (count > worthThreads)
+	for (int id = 0; id < count; ++id)
+		if (const auto& b = (*scene->bodies)[id]; b && b->shape) moveOn(*b, sums[id]);
+		else
+			sums[id].any = false;
 	// one thread writes all forces, so that sums with other engines' forces have one order too
-	for (const Member& m : members) {
-		if (!m.total.force.allFinite() || !m.total.torque.allFinite())
+	for (int id = 0; id < count; ++id) {
+		if (!sums[id].any) continue;
+		if (!sums[id].force.allFinite() || !sums[id].torque.allFinite())
 			throw std::runtime_error(
-			        "BrickDynamics: the force on body #" + std::to_string(m.body->getId()) + " is not finite in step " + std::to_string(scene->iter)
+			        "BrickDynamics: the force on body #" + std::to_string(id) + " is not finite in step " + std::to_string(scene->iter)
 			        + "; is the time step above the limit (BrickTimeStepper.limit)?");
-		scene->forces.addForce(m.body->getId(), m.total.force);
-		scene->forces.addTorque(m.body->getId(), m.total.torque);
-		if (!scene->doSort && !scene->isPeriodic) askForNewBounds(m);
+		scene->forces.addForce(id, sums[id].force);
+		scene->forces.addTorque(id, sums[id].torque);
 	}
 }
 

@@ -23,17 +23,15 @@ Raises an error, naming the body, when a brick lacks what it needs or a force is
 	// clang-format on
 
 private:
-	struct Member {
-		Body*        body;
-		Brick*       brick;        // null for a support
-		Real         dampingRatio; // of the modes
-		brick::Loads total;
+	struct Sum {
+		Vector3r force, torque;
+		bool     any; // some joint or contact acts on the body
 	};
-	std::vector<Member> members;
+	std::vector<Sum> sums; // by id
 
-	void gather();
-	void sum(Member&) const;
-	void askForNewBounds(const Member&) const;
+	void prepare();
+	void moveOn(Body&, Sum&);
+	void askForNewBounds(const Body&, const Brick&) const;
 };
 REGISTER_SERIALIZABLE(BrickDynamics);
 

@@ -43,4 +43,10 @@ public:
 };
 REGISTER_SERIALIZABLE(BrickMat)
 
+/// A body's material as a brick's; null for any other.
+inline const BrickMat* asBrickMat(const shared_ptr<Material>& material)
+{
+	return material && material->getClassIndex() == BrickMat::getClassIndexStatic() ? static_cast<const BrickMat*>(material.get()) : nullptr;
+}
+
 } // namespace yade

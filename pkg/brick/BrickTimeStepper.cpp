@@ -28,24 +28,24 @@ namespace {
 	{
 		if (phys.isJoint()) return dashpotTime(phys.joint.springs);
 		Real longest = 0;
-		for (const auto& spot : geom.spots)
-			longest = std::max(longest, dashpotTime(brick::springsOf(spot, geom.sides[0], geom.sides[1], phys.springs)));
+		if (!geom.contact) return longest;
+		for (const auto& spot : geom.contact->spots)
+			longest = std::max(longest, dashpotTime(brick::springsOf(spot, geom.contact->sides[0], geom.contact->sides[1], phys.springs)));
 		return longest;
 	}
 
 	/// Adds the area that an interaction takes of each face of one of its bodies, as a fraction of the face.
-	void addCoverage(const BrickGeom& geom, const BrickPhys& phys, int side, std::array<Real, brick::faceCount>& coverage)
+	void addCoverage(const Brick& shape, const BrickGeom& geom, const BrickPhys& phys, int side, std::array<Real, brick::faceCount>& coverage)
 	{
-		const auto& faces = geom.sides[side].solid->faces;
+		const auto& faces = shape.solid->faces;
 		if (phys.isJoint()) {
 			const int face = phys.joint.faces[side].face;
-			coverage[face] += geom.area / faces[face].area;
-			return;
-		}
-		for (const auto& spot : geom.spots) {
-			const int face = spot.owner == side ? spot.ownerFace : spot.otherFace;
-			coverage[face] += spot.area / faces[face].area;
-		}
+			coverage[face] += phys.joint.area() / faces[face].area;
+		} else if (geom.contact)
+			for (const auto& spot : geom.contact->spots) {
+				const int face = spot.owner == side ? spot.ownerFace : spot.otherFace;
+				coverage[face] += spot.area / faces[face].area;
+			}
 	}
 
 	/// 1 for a face covered once at most (to round-off); beyond that up in steps, so that the bound is not found anew for every small change.
@@ -72,24 +72,22 @@ BrickTimeStepper::Partners BrickTimeStepper::partnersOf(const Body& b, const Bri
 	p.coverage.fill(0);
 	p.dashpotTime = dashpotTime(pairSprings(material, false, material).at(l1, l1));
 	for (const auto& item : b.intrs) {
-		const auto& other = Body::byId(item.first, scene);
-		if (!other || !other->shape) continue;
-		const auto* otherShape = dynamic_cast<const Brick*>(other->shape.get());
-		const auto* otherMat   = dynamic_cast<const BrickMat*>(other->material.get());
-		const auto* phys       = dynamic_cast<const BrickPhys*>(item.second->phys.get());
-		if (!otherShape && !dynamic_cast<const Wall*>(other->shape.get()) && !dynamic_cast<const Box*>(other->shape.get())) continue;
-		const bool held   = !other->isDynamic();
-		Real       normal = phys ? phys->springs.mortarNormal : 0, shear = phys ? phys->springs.mortarShear : 0;
-		if (otherShape && otherShape->solid && otherMat) {
+		const auto* phys = dynamic_cast<const BrickPhys*>(item.second->phys.get());
+		const auto* geom = dynamic_cast<const BrickGeom*>(item.second->geom.get());
+		if (!phys || !geom) continue;
+		const auto& other      = Body::byId(item.first, scene);
+		const bool  held       = !other->isDynamic();
+		Real        normal     = phys->springs.mortarNormal, shear = phys->springs.mortarShear;
+		const auto* otherMat   = asBrickMat(other->material);
+		const Brick* otherShape = asBrick(other->shape);
+		if (otherShape && otherMat) {
 			normal += shortest(otherShape->contactLength) * elasticityOf(*otherMat).normalCompliance();
 			shear += shortest(otherShape->contactLength) * elasticityOf(*otherMat).shearCompliance();
 		}
-		p.normal[held]   = std::min(p.normal[held], normal);
-		p.shear[held]    = std::min(p.shear[held], shear);
-		const auto* geom = dynamic_cast<const BrickGeom*>(item.second->geom.get());
-		if (!phys || !geom || !geom->sides[0].solid) continue;
-		p.dashpotTime = std::max(p.dashpotTime, dashpotTime(*geom, *phys));
-		addCoverage(*geom, *phys, phys->ids[0] == b.getId() ? 0 : 1, p.coverage);
+		p.normal[held] = std::min(p.normal[held], normal);
+		p.shear[held]  = std::min(p.shear[held], shear);
+		p.dashpotTime  = std::max(p.dashpotTime, dashpotTime(*geom, *phys));
+		addCoverage(shape, *geom, *phys, phys->ids[0] == b.getId() ? 0 : 1, p.coverage);
 	}
 	for (auto& c : p.coverage)
 		c = atLeastOnce(c);
@@ -98,9 +96,6 @@ BrickTimeStepper::Partners BrickTimeStepper::partnersOf(const Body& b, const Bri
 
 Real BrickTimeStepper::stepOf(const Body& b, Brick& shape, const BrickMat& material, const Partners& partners)
 {
-	const auto known_ = known.find(b.getId());
-	if (known_ != known.end() && known_->second.partners == partners) return known_->second.step;
-
 	const State&                                     state = *b.state;
 	const brick::InnerPart*                          inner = shape.innerPart(material);
 	std::array<brick::FaceSprings, brick::faceCount> springs;
@@ -123,7 +118,6 @@ Real BrickTimeStepper::stepOf(const Body& b, Brick& shape, const BrickMat& mater
 		const Real omegaSquared = brick::largestOmegaSquared(*shape.solid, springs, state.mass, state.inertia, inner ? &inner->modes : nullptr);
 		found                   = shared.emplace(key, brick::stableStep(omegaSquared, partners.dashpotTime)).first;
 	}
-	known[b.getId()] = { partners, found->second };
 	return found->second;
 }
 
@@ -132,13 +126,19 @@ void BrickTimeStepper::computeTimeStep(Scene* scene)
 	if (!scene->engineByName("BrickDynamics"))
 		throw std::runtime_error("BrickTimeStepper: there is no BrickDynamics in O.engines, so no force of joints and contacts would reach the bricks; "
 		                         "put it before NewtonIntegrator");
+	known.resize(scene->bodies->size());
 	for (const auto& b : *scene->bodies) {
-		if (!b || !b->shape || !b->isDynamic()) continue;
-		Brick*      shape    = dynamic_cast<Brick*>(b->shape.get());
-		const auto* material = dynamic_cast<const BrickMat*>(b->material.get());
-		if (!shape || !shape->solid || !material || !(b->state->mass > 0)) continue;
+		Brick*      shape    = asBrick(b->shape);
+		const auto* material = asBrickMat(b->material);
+		if (!shape || !shape->solid || !material || !b->isDynamic() || !(b->state->mass > 0)) continue;
+		Known&      last    = known[b->getId()];
+		const Known present = { material->young, material->poisson, b->state->mass };
+		// without contact nothing has changed but joints that have failed, which only makes the brick softer
+		if (shape->counted && shape->contactStep != scene->iter && last == present) continue;
 		const Real step = stepOf(*b, *shape, *material, partnersOf(*b, *shape, *material, scene));
 		if (step < limit) limit = step, limitingBrick = b->getId();
+		shape->counted = true;
+		last           = present;
 	}
 	if (limit < infinity) scene->dt = safety * limit;
 }

@@ -7,6 +7,7 @@
 #include <core/TimeStepper.hpp>
 
 #include <map>
+#include <vector>
 
 namespace yade {
 
@@ -26,21 +27,18 @@ The step never grows during a run, so that a run continued from a file takes the
 	// clang-format on
 
 private:
-	/// Stiffest partners of one brick: compliance per area beyond the brick's own [m/Pa], of bodies that move and of bodies that are held.
+	/// Stiffest partners that one brick has joints or contact with: compliance per area beyond the brick's own [m/Pa], of bodies that move and of bodies that are held.
 	struct Partners {
 		std::array<Real, 2>                normal, shear; // moving, held
 		Real                               dashpotTime;
 		std::array<Real, brick::faceCount> coverage; // how often each face is covered at present: 1, or more where partners overlap
-		bool                               operator==(const Partners& o) const
-		{
-			return normal == o.normal && shear == o.shear && dashpotTime == o.dashpotTime && coverage == o.coverage;
-		}
 	};
+	/// What a brick was counted with.
 	struct Known {
-		Partners partners;
-		Real     step;
+		Real young = 0, poisson = 0, mass = 0;
+		bool operator==(const Known& o) const { return young == o.young && poisson == o.poisson && mass == o.mass; }
 	};
-	std::map<Body::id_t, Known>       known;  // step of each brick, as long as its partners stay
+	std::vector<Known>                known;  // by id
 	std::map<std::vector<Real>, Real> shared; // steps of bricks alike
 
 	static Partners partnersOf(const Body&, const Brick&, const BrickMat&, Scene*);

@@ -42,7 +42,7 @@ namespace {
 	{
 		for (const auto& [key, I] : pairs) {
 			const auto& phys = static_cast<const BrickPhys&>(*I->phys);
-			if (phys.isJoint() && phys.joint.intact < phys.segmentCount())
+			if (phys.isJoint() && !phys.joint.holds())
 				throw std::invalid_argument(brick::message(
 				        "the joint of bodies #",
 				        key.first,

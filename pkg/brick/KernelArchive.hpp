@@ -32,30 +32,37 @@ namespace serialization {
 		ar& make_nvp("compression", s.compression) & make_nvp("capShape", s.capShape);
 	}
 
-	template <class A> void serialize(A& ar, brick::JointSegment& s, unsigned)
+	template <class A, int rows, int columns> void serializeMatrix(A& ar, const char* name, Eigen::Matrix<brick::Real, rows, columns>& m)
 	{
-		for (auto& side : s.weights)
-			for (int a = 0; a < 4; ++a)
-				ar& make_nvp("weight", side[a]);
-		int state = int(s.state);
-		ar& make_nvp("area", s.area) & make_nvp("state", state) & make_nvp("slip", s.slip);
-		s.state = brick::SegmentState(state);
+		for (int k = 0; k < m.size(); ++k)
+			ar& make_nvp(name, m.data()[k]);
+	}
+
+	template <class A> void serialize(A& ar, brick::JointSegments& s, unsigned)
+	{
+		s.archive([&ar](auto& value) { ar& make_nvp("values", value); });
 	}
 
 	template <class A> void serialize(A& ar, brick::JointFace& f, unsigned)
 	{
-		ar& make_nvp("face", f.face);
-		for (int a = 0; a < 4; ++a)
-			ar& make_nvp("node", f.nodes[a]) & make_nvp("corner", f.corners[a]);
-		ar& make_nvp("normal", f.normal);
+		ar& make_nvp("face", f.face) & make_nvp("normal", f.normal);
+		for (int& node : f.nodes)
+			ar& make_nvp("node", node);
+		serializeMatrix(ar, "corner", f.corners);
+		serializeMatrix(ar, "weight", f.weights);
 	}
 
 	template <class A> void serialize(A& ar, brick::Joint& j, unsigned)
 	{
 		ar& make_nvp("side0", j.faces[0]) & make_nvp("side1", j.faces[1]) & make_nvp("segments", j.segments);
-		ar& make_nvp("springs", j.springs) & make_nvp("strength", j.strength) & make_nvp("restGap", j.restGap) & make_nvp("intact", j.intact);
-		for (int k = 0; k < 2; ++k)
-			ar& make_nvp("half", j.halves[k]) & make_nvp("rows", j.rows[k]);
+		ar& make_nvp("springs", j.springs) & make_nvp("strength", j.strength) & make_nvp("restGap", j.restGap) & make_nvp("along", j.along);
+		ar& make_nvp("count", j.count) & make_nvp("tension", j.failures.tension) & make_nvp("shear", j.failures.shear);
+		ar& make_nvp("compression", j.failures.compression);
+		for (int& number : j.rows)
+			ar& make_nvp("rows", number);
+		for (auto& place : j.outermost)
+			ar& make_nvp("outermost", place);
+		serializeMatrix(ar, "weight", j.weight);
 	}
 
 	template <class A> void serialize(A& ar, brick::ContactMemory& m, unsigned) { ar& make_nvp("keys", m.keys) & make_nvp("tractions", m.tractions); }

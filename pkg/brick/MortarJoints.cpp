@@ -15,7 +15,7 @@ namespace {
 
 	constexpr Real relativeTolerance = 1e-6; // of a brick's diagonal: far above the round-off of corners, far below any joint
 
-	const Brick* brickOf(const Body& b) { return dynamic_cast<const Brick*>(b.shape.get()); }
+	Brick*       brickOf(const Body& b) { return asBrick(b.shape); }
 	string       named(const Body& b) { return "#" + std::to_string(b.getId()); }
 
 	bool sameMortar(const shared_ptr<Mortar>& a, const shared_ptr<Mortar>& b)
@@ -81,10 +81,7 @@ namespace {
 			for (int f1 = 0; f1 < brick::faceCount; ++f1) {
 				auto joint = brick::joinFaces(side0, f0, side1, f1, tolerance);
 				if (!joint) continue;
-				Real area = 0;
-				for (const auto& s : joint->segments)
-					area += s.area;
-				if (area > bestArea) best = joint, bestArea = area, faces = { f0, f1 };
+				if (joint->area() > bestArea) best = joint, bestArea = joint->area(), faces = { f0, f1 };
 			}
 		}
 		return best;
@@ -152,20 +149,26 @@ void MortarJoints::postLoad(MortarJoints&)
 	if (!normal.allFinite()) throw std::invalid_argument(brick::message("MortarJoints.normal: (", normal.transpose(), "); must be finite"));
 }
 
+/// Largest gap or overlap of faces that touch.
+Real MortarJoints::gapOf(const Body& b) const
+{
+	if (!std::isnan(tolerance)) return tolerance;
+	return brickOf(b) ? relativeTolerance * diagonal(*brickOf(b)) : 0;
+}
+
 void MortarJoints::join(const shared_ptr<Body>& a, const shared_ptr<Body>& b)
 {
+	if (areJoined(a->getId(), b->getId())) return;
 	// canonical order: the support, or the lower id, first
 	const bool  swap  = brickOf(*a) && (!brickOf(*b) || b->getId() < a->getId());
 	const Body &first = swap ? *b : *a, &second = swap ? *a : *b;
 	const auto  found = scene->interactions->find(first.getId(), second.getId());
-	if (found && found->isReal() && dynamic_cast<BrickPhys*>(found->phys.get()) && static_cast<BrickPhys&>(*found->phys).isJoint()) return;
 
 	shared_ptr<const brick::Hexahedron> box;
 	if (const Box* shape = dynamic_cast<const Box*>(first.shape.get())) box.reset(new brick::Hexahedron(brick::cuboidCorners(2 * shape->extents)));
 	const brick::Side           side0 = sideOf(first, box, second.state->pos), side1 = sideOf(second, nullptr, second.state->pos);
-	const Real                  gap = std::isnan(tolerance) ? relativeTolerance * diagonal(*brickOf(second)) : tolerance;
 	std::array<int, 2>          faces { 0, 0 };
-	std::optional<brick::Joint> joint = largestOverlap(side0, side1, gap, normal, faces);
+	std::optional<brick::Joint> joint = largestOverlap(side0, side1, gapOf(second), normal, faces);
 	if (!joint) return;
 	const shared_ptr<Mortar> filling = mortarBetween(first, second, mortar);
 	if (!filling) return;
@@ -180,6 +183,7 @@ void MortarJoints::join(const shared_ptr<Body>& a, const shared_ptr<Body>& b)
 	phys->tangensOfFrictionAngle = phys->springs.tanFriction;
 	joint->springs               = phys->springs.at((*side0.contactLength)[faces[0]], (*side1.contactLength)[faces[1]]);
 	joint->strength              = { filling->tensileStrength, filling->cohesion, phys->springs.tanFriction, filling->compressiveStrength, filling->Cs };
+	phys->contactPart            = thinnestContactPart({ side0, side1 });
 	phys->joint                  = *joint;
 
 	shared_ptr<BrickGeom> geom(new BrickGeom);
@@ -191,6 +195,34 @@ void MortarJoints::join(const shared_ptr<Body>& a, const shared_ptr<Body>& b)
 	I->iterMadeReal = scene->iter;
 	scene->interactions->insert(I);
 	++made;
+	for (const Body* b : { &first, &second })
+		if (Brick* shape = brickOf(*b)) {
+			shape->whole   = shape->whole || shape->joints == 0;
+			shape->counted = false;
+			++shape->joints;
+		}
+}
+
+bool MortarJoints::areJoined(Body::id_t a, Body::id_t b) const
+{
+	const auto&      found = scene->interactions->find(a, b);
+	const BrickPhys* phys  = found ? dynamic_cast<const BrickPhys*>(found->phys.get()) : nullptr;
+	return phys && phys->isJoint();
+}
+
+/// Two bricks whose faces do not overlap, with a neighbour that both are joined to.
+void MortarJoints::noteBeside(const shared_ptr<Body>& a, const shared_ptr<Body>& b) const
+{
+	Brick *first = brickOf(*a), *second = brickOf(*b);
+	if (!first || !second || areJoined(a->getId(), b->getId())) return;
+	if (std::find(first->beside.begin(), first->beside.end(), b->getId()) != first->beside.end()) return;
+	const bool held = std::any_of(a->intrs.begin(), a->intrs.end(), [&](const auto& item) {
+		return areJoined(a->getId(), item.first) && areJoined(b->getId(), item.first);
+	});
+	std::array<int, 2> faces;
+	if (!held || largestOverlap(sideOf(*a, nullptr, a->state->pos), sideOf(*b, nullptr, b->state->pos), gapOf(*b), Vector3r::Zero(), faces)) return;
+	first->beside.push_back(b->getId());
+	second->beside.push_back(a->getId());
 }
 
 void MortarJoints::action()
@@ -200,17 +232,21 @@ void MortarJoints::action()
 	for (const auto& b : *scene->bodies) {
 		if (!b || !b->shape || !canBeJoined(*b)) continue;
 		if (!ids.empty() && std::find(ids.begin(), ids.end(), b->getId()) == ids.end()) continue;
-		const Brick* shape = brickOf(*b);
-		boxes.push_back(bounds(*b, std::isnan(tolerance) ? (shape ? relativeTolerance * diagonal(*shape) : 0) : tolerance));
+		boxes.push_back(bounds(*b, gapOf(*b)));
 	}
 	std::sort(
 	        boxes.begin(), boxes.end(), [](const Box3& a, const Box3& b) { return a.lower[0] < b.lower[0] || (a.lower[0] == b.lower[0] && a.id < b.id); });
+	std::vector<std::pair<shared_ptr<Body>, shared_ptr<Body>>> near;
 	for (std::size_t i = 0; i < boxes.size(); ++i)
 		for (std::size_t j = i + 1; j < boxes.size() && boxes[j].lower[0] <= boxes[i].upper[0]; ++j) {
 			if ((boxes[i].lower.array() > boxes[j].upper.array()).any() || (boxes[j].lower.array() > boxes[i].upper.array()).any()) continue;
 			const auto &a = Body::byId(boxes[i].id, scene), &b = Body::byId(boxes[j].id, scene);
-			if ((brickOf(*a) || brickOf(*b)) && (a->isDynamic() || b->isDynamic())) join(a, b);
+			if ((brickOf(*a) || brickOf(*b)) && (a->isDynamic() || b->isDynamic())) near.emplace_back(a, b);
 		}
+	for (const auto& [a, b] : near)
+		join(a, b);
+	for (const auto& [a, b] : near)
+		noteBeside(a, b);
 	dead = true;
 }
 

@@ -27,6 +27,9 @@ The mortar is the materials' (:yref:`BrickMat.mortar`), or the one given here fo
 
 private:
 	void join(const shared_ptr<Body>&, const shared_ptr<Body>&);
+	void noteBeside(const shared_ptr<Body>&, const shared_ptr<Body>&) const;
+	bool areJoined(Body::id_t, Body::id_t) const;
+	Real gapOf(const Body&) const;
 };
 REGISTER_SERIALIZABLE(MortarJoints);
 

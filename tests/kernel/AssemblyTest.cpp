@@ -214,9 +214,9 @@ TEST(Settle, held_coordinates_do_not_move)
 TEST(Assembly, refuses_what_is_not_intact)
 {
 	Tower tower(2, Deformation::Trilinear);
-	--tower.joints[1].joint.intact;
+	++tower.joints[1].joint.failures.shear;
 	EXPECT_NE(refusal([&] { tower.assembly(); }).find("failed segments"), std::string::npos);
-	++tower.joints[1].joint.intact;
+	--tower.joints[1].joint.failures.shear;
 	tower.bricks[1].amplitudes.pop_back();
 	EXPECT_NE(refusal([&] { tower.assembly(); }).find("17 amplitudes"), std::string::npos);
 }

@@ -678,13 +678,11 @@ Vector2r jumpAtHandOver(const Body& lower, Body upper, const Vector3r& shift, co
 	p.second.placement.position += shift;
 	p.turnAll(turn, { .3, .1, -.2 });
 	joint->springs = p.springs.at(.001, .001);
-	joint->intact  = 0;
-	for (auto& s : joint->segments)
-		s.state = SegmentState::Shear;
-	std::array<Loads, 2> loads;
-	PairSummary          sum;
-	const JointMotion    motion = jointMotion(*joint, p.first.side().placement, p.second.side().placement);
-	jointLoads(*joint, motion, p.springs, p.first.placement.rotation, loads, sum);
+	pairs::failAll(*joint, SegmentState::Shear);
+	JointLoads        loads;
+	PairSummary       sum;
+	const JointMotion motion = pairs::motionOf(*joint, p.first, p.second);
+	jointLoads(*joint, motion, p.springs.tanFriction, p.first.placement.rotation, loads, sum);
 	p.memory       = tractionsOfJoint(*joint, motion, p.springs.tanFriction, p.first.side(), p.second.side());
 	const auto now = p.step(0);
 	return { (now.sum.normalForce - sum.normalForce).norm() / sum.normalForce.norm(),

@@ -139,3 +139,31 @@ TEST(InnerMotionTest, local_damping_takes_a_fraction_of_the_net_force_against_th
 		m = advanced(m, 0, 1, 0, .2, .05);
 	EXPECT_LT(std::abs(m.amplitude), 1e-3); // sixteen periods, each losing most of a half
 }
+
+TEST(ModeColumns, give_the_products_with_the_shapes_bitwise_whatever_the_instruction_set)
+{
+	for (const int dofs : { 1, 8, 24, 78 })
+		for (const int modes : { 1, 6, 18, 72 }) {
+			std::vector<Real> shapes(std::size_t(dofs) * modes), q(modes), f(dofs);
+			Real              x = .3;
+			for (auto* values : { &shapes, &q, &f })
+				for (Real& value : *values)
+					value = x = 3.7 * x * (1 - x); // chaotic: no two alike
+			const ModeColumns columns(shapes.data(), dofs, modes);
+			std::vector<Real> u(columns.paddedDofs()), load(columns.paddedModes());
+			columns.displacements(q.data(), u.data());
+			columns.loads(f.data(), load.data());
+			for (int j = 0; j < columns.paddedDofs(); ++j) {
+				Real sum = 0;
+				for (int k = 0; k < modes && j < dofs; ++k)
+					sum += q[k] * shapes[std::size_t(k) * dofs + j];
+				ASSERT_EQ(u[j], sum);
+			}
+			for (int k = 0; k < columns.paddedModes(); ++k) {
+				Real sum = 0;
+				for (int j = 0; j < dofs && k < modes; ++j)
+					sum += f[j] * shapes[std::size_t(k) * dofs + j];
+				ASSERT_EQ(load[k], sum);
+			}
+		}
+}

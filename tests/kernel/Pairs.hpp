@@ -103,6 +103,46 @@ private:
 	std::mt19937 generator;
 };
 
+/// What a joint does, by body and node.
+inline std::array<Loads, 2> loadsOf(const Joint& joint, const JointMotion& motion, const JointLoads& found)
+{
+	std::array<Loads, 2> out;
+	for (int s = 0; s < 2; ++s) {
+		out[s].force = found.force[s], out[s].torque = found.torque[s];
+		for (int a = 0; a < 4 && motion.deformable[s]; ++a)
+			out[s].nodal[joint.faces[s].nodes[a]] = found.nodal[s].row(a);
+	}
+	return out;
+}
+
+inline JointMotion motionOf(const Joint& joint, const Body& first, const Body& second)
+{
+	JointMotion motion;
+	jointMotion(joint, first.side().placement, second.side().placement, motion);
+	return motion;
+}
+
+/// Has a segment of a joint fail in a mode.
+inline void fail(Joint& joint, int segment, SegmentState mode)
+{
+	makeSegments(joint);
+	joint.segments.row(JointSegments::State)[segment] = int(mode);
+	++(mode == SegmentState::Tension ? joint.failures.tension : mode == SegmentState::Shear ? joint.failures.shear : joint.failures.compression);
+}
+inline void failAll(Joint& joint, SegmentState mode)
+{
+	for (int s = 0; s < joint.count; ++s)
+		fail(joint, s, mode);
+}
+
+inline std::vector<JointSegment> segmentsOf(const Joint& joint)
+{
+	std::vector<JointSegment> out;
+	for (int s = 0; s < joint.count; ++s)
+		out.push_back(segmentOf(joint, s));
+	return out;
+}
+
 /// Moment that forces on the nodes of a body have about its position, where the nodes are now, world axes.
 inline Vector3r nodalForce(const Body& b, const Loads& loads)
 {

@@ -93,9 +93,11 @@ Matrix jointStiffness(const Brick& b0, int face0, const Brick& b1, int face1)
 	joint->strength = { 1e30, 1e30, 1, 1e30, 1 };
 	const int  n0 = b0.size(), n = n0 + b1.size();
 	const auto forces = [&](const Body& x, const Body& y) {
-		std::array<Loads, 2> loads;
-		PairSummary          sum;
-		jointLoads(*joint, jointMotion(*joint, x.side().placement, y.side().placement), springs, x.placement.rotation, loads, sum);
+		JointLoads        found;
+		PairSummary       sum;
+		const JointMotion motion = pairs::motionOf(*joint, x, y);
+		jointLoads(*joint, motion, springs.tanFriction, x.placement.rotation, found, sum);
+		const auto loads = pairs::loadsOf(*joint, motion, found);
 		Vector out(n);
 		out << b0.scaled(loads[0]), b1.scaled(loads[1]);
 		return out;

@@ -383,7 +383,8 @@ class Scheme(Case):
 		for _ in range(steps):
 			try: O.step()
 			except RuntimeError: return math.inf
-		return utils.kineticEnergy() / start
+		grown = utils.kineticEnergy() / start
+		return grown if math.isfinite(grown) else math.inf
 
 	def test_pair(self):
 		"""Largest step of the product's scheme for two deformable cubes, from its matrices: m/4 of each side on half of the joint's springs, sqrt(m / Kn), since the

@@ -18,13 +18,27 @@ namespace {
 
 	Matrix3r crossMatrix(const Vector3r& a) { return (Matrix3r() << 0, -a[2], a[1], a[2], 0, -a[0], -a[1], a[0], 0).finished(); }
 
+	using PointMap = Eigen::Matrix<Real, 3, Eigen::Dynamic>;
+
 	/// Displacement of one node, at `arm` from the brick's centre, for each coordinate of the brick.
-	Eigen::Matrix<Real, 3, Eigen::Dynamic> nodeMap(const AssembledBrick& b, const Matrix3r& R, int node, const Vector3r& arm)
+	PointMap nodeMap(const AssembledBrick& b, const Matrix3r& R, int node, const Vector3r& arm)
 	{
-		Eigen::Matrix<Real, 3, Eigen::Dynamic> map(3, b.coordinates());
+		PointMap map(3, b.coordinates());
 		map.leftCols<3>().setIdentity();
 		map.middleCols<3>(3) = -crossMatrix(arm);
 		if (b.modes) map.rightCols(b.modes->count) = R * b.modes->shapes.block(3 * node, 0, 3, b.modes->count);
+		return map;
+	}
+
+	/// Displacement of one corner of a joint's rectangle, likewise.
+	PointMap cornerMap(const AssembledBrick& b, const Matrix3r& R, const JointFace& face, int corner, const Vector3r& arm)
+	{
+		PointMap map = PointMap::Zero(3, b.coordinates());
+		map.leftCols<3>().setIdentity();
+		map.middleCols<3>(3) = -crossMatrix(arm);
+		if (b.modes)
+			for (int a = 0; a < 4; ++a)
+				map.rightCols(b.modes->count) += face.weights(corner, a) * R * b.modes->shapes.block(3 * face.nodes[a], 0, 3, b.modes->count);
 		return map;
 	}
 
@@ -44,14 +58,14 @@ namespace {
 
 	void checkIntact(const AssembledJoint& j)
 	{
-		if (j.joint.intact < int(j.joint.segments.size()))
+		if (!j.joint.holds())
 			throw std::invalid_argument(
 			        message("the joint of bricks ",
 			                j.bricks[0],
 			                " and ",
 			                j.bricks[1],
 			                " (-1: a support) has ",
-			                j.joint.segments.size() - j.joint.intact,
+			                j.joint.failures.total(),
 			                " failed segments; allowed are joints that hold"));
 	}
 
@@ -107,44 +121,39 @@ Placement Assembly::placement(const AssembledJoint& j, int side, Nodes& displace
 JointMotion Assembly::motionOf(const AssembledJoint& j) const
 {
 	std::array<Nodes, 2> u;
-	return jointMotion(j.joint, placement(j, 0, u[0]), placement(j, 1, u[1]));
+	JointMotion          m;
+	jointMotion(j.joint, placement(j, 0, u[0]), placement(j, 1, u[1]), m);
+	return m;
 }
 
 void Assembly::addJoint(const AssembledJoint& j, Triplets& out) const
 {
-	const JointMotion    m = motionOf(j);
-	std::array<Nodes, 2> u;
-	const Placement      frame = placement(j, 0, u[0]);
-
-	Eigen::Matrix<Real, 8, 8> weight = Eigen::Matrix<Real, 8, 8>::Zero();
-	for (const auto& s : j.joint.segments) {
-		Eigen::Matrix<Real, 8, 1> w;
-		w << -s.weights[0], s.weights[1];
-		weight += s.area * w * w.transpose();
-	}
-	const Vector3r n = frame.rotation * m.normal;
+	std::array<Nodes, 2>           u;
+	const std::array<Placement, 2> at { placement(j, 0, u[0]), placement(j, 1, u[1]) };
+	JointMotion                    m;
+	jointMotion(j.joint, at[0], at[1], m);
+	const Vector3r n = at[0].rotation * m.normal;
 	const Matrix3r D = j.joint.springs.shear * Matrix3r::Identity() + (j.joint.springs.normal - j.joint.springs.shear) * n * n.transpose();
 
-	std::array<std::array<MatrixX, 4>, 2> maps;
+	const std::array<CornerVectors, 2>     corners { m.place, m.place + m.opening };
+	std::array<std::array<PointMap, 4>, 2> maps;
 	for (int side = 0; side < 2; ++side) {
 		if (j.bricks[side] < 0) continue;
 		const AssembledBrick& b = parts[j.bricks[side]];
-		for (int a = 0; a < 4; ++a)
-			maps[side][a] = nodeMap(
-			        b,
-			        b.orientation.toRotationMatrix(),
-			        j.joint.faces[side].nodes[a],
-			        frame.position + frame.rotation * m.positions[side][a] - b.position);
+		for (int c = 0; c < 4; ++c) {
+			const Vector3r arm = at[0].position + at[0].rotation * Vector3r(corners[side].row(c)) - b.position;
+			maps[side][c]      = cornerMap(b, at[side].rotation, j.joint.faces[side], c, arm);
+		}
 	}
 	for (int s = 0; s < 2; ++s)
 		for (int t = 0; t < 2; ++t) {
 			if (j.bricks[s] < 0 || j.bricks[t] < 0) continue;
 			MatrixX block = MatrixX::Zero(maps[s][0].cols(), maps[t][0].cols());
-			for (int a = 0; a < 4; ++a) {
-				MatrixX moved = MatrixX::Zero(3, maps[t][0].cols());
-				for (int b = 0; b < 4; ++b)
-					moved += weight(4 * s + a, 4 * t + b) * maps[t][b];
-				block += maps[s][a].transpose() * (D * moved);
+			for (int c = 0; c < 4; ++c) {
+				PointMap moved = PointMap::Zero(3, maps[t][0].cols());
+				for (int d = 0; d < 4; ++d)
+					moved += j.joint.weight(c, d) * maps[t][d];
+				block += (s == t ? 1 : -1) * maps[s][c].transpose() * (D * moved);
 			}
 			addBlock(out, places[j.bricks[s]], places[j.bricks[t]], block);
 		}
@@ -182,19 +191,21 @@ VectorX Assembly::internalForces() const
 	for (const auto& j : joints) {
 		std::array<Nodes, 2> u;
 		const Placement      p0 = placement(j, 0, u[0]), p1 = placement(j, 1, u[1]);
-		std::array<Loads, 2> loads;
+		JointMotion          m;
+		JointLoads           loads;
 		PairSummary          sum;
 		Joint                holding = unbreakable(j.joint);
-		jointLoads(holding, jointMotion(holding, p0, p1), {}, p0.rotation, loads, sum);
+		jointMotion(holding, p0, p1, m);
+		jointLoads(holding, m, 0, p0.rotation, loads, sum);
 		for (int side = 0; side < 2; ++side) {
 			if (j.bricks[side] < 0) continue;
 			const AssembledBrick& b  = parts[j.bricks[side]];
 			const int             at = places[j.bricks[side]];
-			forces.segment<3>(at) += loads[side].force;
-			forces.segment<3>(at + 3) += loads[side].torque;
+			forces.segment<3>(at) += loads.force[side];
+			forces.segment<3>(at + 3) += loads.torque[side];
 			for (int k = 0; k < b.coordinates() - 6; ++k)
-				for (int a = 0; a < nodeCount; ++a)
-					forces[at + 6 + k] += b.modes->shapes.col(k).segment<3>(3 * a).dot(loads[side].nodal[a]);
+				for (int a = 0; a < 4; ++a)
+					forces[at + 6 + k] += b.modes->shapes.col(k).segment<3>(3 * j.joint.faces[side].nodes[a]).dot(loads.nodal[side].row(a));
 		}
 	}
 	for (std::size_t i = 0; i < parts.size(); ++i)
@@ -251,15 +262,10 @@ Failures Assembly::overloaded() const
 {
 	Failures count;
 	for (const auto& j : joints) {
-		const JointMotion m    = motionOf(j);
-		const Real        edge = edgeOpening(j.joint, m);
-		for (const auto& s : j.joint.segments) {
-			const SegmentTraction t    = segmentTraction(j.joint, s, m, 0);
-			const SegmentState    mode = segmentFailure(j.joint, t.normal / j.joint.springs.normal, t.shear.norm(), edge);
-			count.tension += mode == SegmentState::Tension;
-			count.shear += mode == SegmentState::Shear;
-			count.compression += mode == SegmentState::Compression;
-		}
+		const Failures found = brick::overloaded(j.joint, motionOf(j));
+		count.tension += found.tension;
+		count.shear += found.shear;
+		count.compression += found.compression;
 	}
 	return count;
 }

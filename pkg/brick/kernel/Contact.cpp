@@ -378,15 +378,14 @@ ContactMemory tractionsOfJoint(const Joint& joint, const JointMotion& motion, Re
 		for (int cell = 0; cell < n * n; ++cell) {
 			const Vector3r centre = face.at((2. * (cell % n) + 1) / n - 1, (2. * (cell / n) + 1) / n - 1);
 			// nearest segment of the joint; a cell that the joint does not reach will find no partner and forget it
-			const JointSegment* nearest  = nullptr;
-			Real                distance = std::numeric_limits<Real>::infinity();
-			for (const auto& segment : joint.segments) {
-				Vector3r x = Vector3r::Zero();
-				for (int a = 0; a < 4; ++a)
-					x += segment.weights[s][a] * jointFace.corners[a];
-				if ((x - centre).squaredNorm() < distance) distance = (x - centre).squaredNorm(), nearest = &segment;
+			int  nearest  = 0;
+			Real distance = std::numeric_limits<Real>::infinity();
+			for (int i = 0; i < joint.count; ++i) {
+				const JointSegment segment = segmentOf(joint, i);
+				const Vector3r     x       = jointFace.corners.transpose() * cornerWeights(segment.p, segment.q);
+				if ((x - centre).squaredNorm() < distance) distance = (x - centre).squaredNorm(), nearest = i;
 			}
-			const Vector3r onSide0 = segmentTraction(joint, *nearest, motion, tanFriction).shear;
+			const Vector3r onSide0 = segmentTraction(joint, nearest, motion, tanFriction).shear;
 			memory.keys.push_back(keyOf(s, jointFace.face, cell, otherFace));
 			memory.tractions.push_back(s == 0 ? onSide0 : Vector3r(-(motion.turn.transpose() * onSide0)));
 		}

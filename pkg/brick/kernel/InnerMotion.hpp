@@ -7,9 +7,10 @@
 // lowers the limit that the springs set, and near dt omega = 2 pi does not answer to the load at all.) Statics is untouched.
 #pragma once
 
-#include "Types.hpp"
+#include "Modes.hpp"
 
 #include <cmath>
+#include <vector>
 
 namespace brick {
 
@@ -23,7 +24,7 @@ struct ModeState {
 inline ModeState advanced(const ModeState& mode, Real load, Real omegaSquared, Real zeta, Real localDamping, Real dt)
 {
 	const Real inertia = 1 + dt * dt * omegaSquared / 4;
-	const Real damping = zeta * std::sqrt(omegaSquared) * dt;
+	const Real damping = zeta == 0 ? 0 : zeta * std::sqrt(omegaSquared) * dt;
 	Real       force   = load - omegaSquared * mode.amplitude;
 	if (localDamping != 0) force *= 1 - std::copysign(localDamping, force * (mode.rate + dt / 2 * force));
 	ModeState next;
@@ -31,5 +32,26 @@ inline ModeState advanced(const ModeState& mode, Real load, Real omegaSquared, R
 	next.amplitude = mode.amplitude + dt * next.rate;
 	return next;
 }
+
+/// Mode shapes laid out for a step: columns padded to whole groups of lanes, by modes for the displacements and by nodes for the loads.
+class ModeColumns {
+public:
+	ModeColumns(const Real* shapes, int dofs, int modes);
+	int  modes() const { return modeTotal; }
+	int  dofs() const { return dofTotal; }
+	int  paddedModes() const { return padded(modeTotal); }
+	int  paddedDofs() const { return padded(dofTotal); }
+	void loads(const Real* nodal, Real* modal) const { sum(byNode, paddedModes(), dofTotal, nodal, modal); }         ///< phi^T f; writes paddedModes() entries
+	void displacements(const Real* modal, Real* nodal) const { sum(byMode, paddedDofs(), modeTotal, modal, nodal); } ///< phi q; writes paddedDofs() entries
+
+	static constexpr int lanes = 8;
+
+private:
+	static int  padded(int n) { return (n + lanes - 1) / lanes * lanes; }
+	static void sum(const std::vector<Real>& columns, int rows, int count, const Real* x, Real* y);
+
+	int               dofTotal, modeTotal;
+	std::vector<Real> byNode, byMode;
+};
 
 } // namespace brick

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Hexahedron.hpp"
+#include "InnerMotion.hpp"
 #include "Modes.hpp"
 #include "Stiffness.hpp"
 
@@ -23,6 +24,8 @@ struct InnerPart {
 	Real  young, poisson;
 	Modes modes;
 
+	ModeColumns columns; ///< of the modes' shapes
+
 	/// The nodes carry the whole brick's mass, as in the paper.
 	/// @throws std::invalid_argument as insetCorners and stiffness do
 	explicit InnerPart(const InnerPartType& type)
@@ -34,6 +37,7 @@ struct InnerPart {
 	                  nodes,
 	                  lumpedMasses(nodes, type.density * solidProperties(type.corners).volume),
 	                  type.deformation))
+	        , columns(modes.shapes.data(), dofCount, modes.count)
 	{
 	}
 };

@@ -81,37 +81,99 @@ namespace {
 		return 2 * std::max(f.e1.norm(), f.e2.norm()) / side.segments;
 	}
 
-	JointFace brickFace(const Side& side, int face)
+	/// Weights of a face's nodes that give a point x of its plane: the face's bilinear ones, also beyond its edges, if it is a parallelogram; otherwise the smallest
+	/// that sum to one.
+	Vector4r faceWeights(const Side& side, int face, const Vector3r& x)
+	{
+		const Face& f = side.solid->faces[face];
+		if (f.parallelogram) return bilinear(f.dual1.dot(x - f.centre), f.dual2.dot(x - f.centre));
+		Eigen::Matrix<Real, 3, 4> A;
+		for (int a = 0; a < 4; ++a) {
+			const Vector3r d = side.solid->corners[faceNodes[face][a]] - f.centre;
+			A.col(a) << 1, f.dual1.dot(d), f.dual2.dot(d);
+		}
+		const Vector3r wanted(1, f.dual1.dot(x - f.centre), f.dual2.dot(x - f.centre));
+		return A.transpose() * (A * A.transpose()).inverse() * wanted;
+	}
+
+	/// A brick's face with the rectangle that the joint lies in.
+	JointFace brickFace(const Side& side, int face, const std::array<Vector3r, 4>& rectangle)
 	{
 		JointFace out;
 		out.face   = face;
 		out.normal = side.solid->faces[face].normal;
-		for (int a = 0; a < 4; ++a)
-			out.nodes[a] = faceNodes[face][a], out.corners[a] = side.solid->corners[out.nodes[a]];
-		return out;
-	}
-
-	/// The guest's face as the joint knows it: corners moved along the host's normal to a plane that is `gap` away everywhere, so that nothing is strained at rest.
-	/// A brick's may be tilted a little, which mortar fills; a support's own may be far away, so it takes the host's.
-	JointFace guestFaceOf(const Side& guest, int face, const Side& host, const JointFace& hostSide, const Plane& plane, Real gap)
-	{
-		JointFace      out  = guest.support ? JointFace() : brickFace(guest, face);
-		const Vector3r away = plane.axis1.cross(plane.axis2);
-		out.normal          = guest.solid->faces[face].normal;
-		for (int a = 0; a < 4; ++a) {
-			const Vector3r x = guest.support ? worldPoint(host, hostSide.corners[a]) : worldPoint(guest, out.corners[a]);
-			out.corners[a]   = bodyPoint(guest, x + (gap - away.dot(x - plane.origin)) * away);
+		for (int c = 0; c < 4; ++c) {
+			const Vector3r x   = bodyPoint(side, rectangle[c]);
+			out.nodes[c]       = faceNodes[face][c];
+			out.corners.row(c) = x;
+			out.weights.row(c) = faceWeights(side, face, x);
 		}
 		return out;
 	}
 
-	/// Weights of a face's nodes where the line through x along a direction meets it.
-	Vector4r weightsAt(const Side& side, int face, const Vector3r& x, const Vector3r& direction)
+	JointFace supportFace(const Side& side, int face, const std::array<Vector3r, 4>& rectangle)
 	{
-		const Face&    f     = side.solid->faces[face];
-		const Vector3r local = bodyPoint(side, x), along = side.placement.rotation.transpose() * direction;
-		const Vector2r natural = f.coordinates(local + (f.offset - f.normal.dot(local)) / f.normal.dot(along) * along);
-		return bilinear(natural[0], natural[1]);
+		JointFace out;
+		out.normal = side.solid->faces[face].normal;
+		for (int c = 0; c < 4; ++c)
+			out.corners.row(c) = bodyPoint(side, rectangle[c]);
+		return out;
+	}
+
+	/// Segments of the grid in the overlap of two faces.
+	struct Grid {
+		Vector2r                  lower, step;
+		std::array<int, 2>        rows;
+		std::vector<JointSegment> segments;
+		bool                      whole = true; ///< every cell lies in both faces
+	};
+
+	Grid gridOf(const FlatFace& a, const FlatFace& b, const Vector2r& lower, const Vector2r& extent, Real size)
+	{
+		constexpr Real sliver = 1e-9; // of a cell
+		Grid           grid;
+		grid.rows  = { std::max(1, int(std::lround(extent[0] / size))), std::max(1, int(std::lround(extent[1] / size))) };
+		grid.lower = lower;
+		grid.step  = { extent[0] / grid.rows[0], extent[1] / grid.rows[1] };
+		const Real whole = grid.step[0] * grid.step[1];
+		for (int row = 0; row < grid.rows[1]; ++row)
+			for (int column = 0; column < grid.rows[0]; ++column) {
+				const Cell   cell = cellInOverlap(lower + Vector2r(column * grid.step[0], row * grid.step[1]), grid.step, a, b);
+				Cell::Vertex centre;
+				const Real   area = cell.empty() ? 0 : cell.areaAndCentroid(centre);
+				grid.whole &= area > (1 - sliver) * whole;
+				if (area <= sliver * whole) continue;
+				grid.segments.push_back({ (centre[0] - lower[0]) / extent[0], (centre[1] - lower[1]) / extent[1], area, SegmentState::Intact });
+			}
+		return grid;
+	}
+
+	JointSegments arraysOf(const std::vector<JointSegment>& segments)
+	{
+		JointSegments out(int(segments.size()));
+		for (int s = 0; s < out.count(); ++s) {
+			out.row(JointSegments::P)[s]    = segments[s].p;
+			out.row(JointSegments::Q)[s]    = segments[s].q;
+			out.row(JointSegments::Area)[s] = segments[s].area;
+		}
+		return out;
+	}
+
+	void takeSegments(const Grid& grid, Joint& joint)
+	{
+		joint.rows      = grid.rows;
+		joint.count     = int(grid.segments.size());
+		joint.outermost = { 1, 0, 1, 0 };
+		if (!grid.whole) joint.segments = arraysOf(grid.segments);
+		for (int s = 0; s < joint.count; ++s) {
+			const JointSegment& segment = grid.segments[s];
+			const Vector4r      w       = cornerWeights(segment.p, segment.q);
+			joint.weight += segment.area * w * w.transpose();
+			joint.outermost = { std::min(joint.outermost[0], segment.p),
+				            std::max(joint.outermost[1], segment.p),
+				            std::min(joint.outermost[2], segment.q),
+				            std::max(joint.outermost[3], segment.q) };
+		}
 	}
 
 } // namespace
@@ -134,197 +196,290 @@ std::optional<Joint> joinFaces(const Side& side0, int face0, const Side& side1, 
 	const Vector2r lower = a.lower.cwiseMax(b.lower), extent = a.upper.cwiseMin(b.upper) - lower;
 	if (extent.minCoeff() <= tolerance) return std::nullopt;
 
-	const Real     size    = std::min(segmentSize(host, hostFace), segmentSize(guest, guestFace));
-	const int      columns = std::max(1, int(std::lround(extent[0] / size))), rows = std::max(1, int(std::lround(extent[1] / size)));
-	const Vector2r step(extent[0] / columns, extent[1] / rows);
-	for (int row = 0; row < rows; ++row)
-		for (int column = 0; column < columns; ++column) {
-			const Cell cell = cellInOverlap(lower + Vector2r(column * step[0], row * step[1]), step, a, b);
-			if (cell.empty()) continue;
-			Cell::Vertex centre;
-			JointSegment segment;
-			segment.area = cell.areaAndCentroid(centre);
-			if (segment.area <= 1e-9 * step[0] * step[1]) continue;
-			const Vector3r x          = plane.world(centre[0], centre[1]);
-			segment.weights[swapped]  = weightsAt(host, hostFace, x, away);
-			segment.weights[!swapped] = guest.support ? segment.weights[swapped] : weightsAt(guest, guestFace, x, away);
-			joint.segments.push_back(segment);
-		}
-	if (!joint.exists()) return std::nullopt;
-	joint.faces[swapped]  = brickFace(host, hostFace);
-	joint.faces[!swapped] = guestFaceOf(guest, guestFace, host, joint.faces[swapped], plane, joint.restGap);
-	joint.intact          = int(joint.segments.size());
-	joint.rows            = { columns, rows };
-	joint.halves
-	        = { side0.placement.rotation.transpose() * (step[0] / 2 * plane.axis1), side0.placement.rotation.transpose() * (step[1] / 2 * plane.axis2) };
+	const Grid grid = gridOf(a, b, lower, extent, std::min(segmentSize(host, hostFace), segmentSize(guest, guestFace)));
+	if (grid.segments.empty()) return std::nullopt;
+	takeSegments(grid, joint);
+
+	// the guest's corners are moved along the host's normal to where the joint is `restGap` wide everywhere, so that nothing is strained at rest; a brick may be
+	// tilted a little, which mortar fills
+	const Vector2r          upper = lower + extent;
+	std::array<Vector3r, 4> onHost { plane.world(lower[0], lower[1]), plane.world(upper[0], lower[1]), plane.world(upper[0], upper[1]), plane.world(lower[0], upper[1]) };
+	std::array<Vector3r, 4> onGuest;
+	for (int c = 0; c < 4; ++c)
+		onGuest[c] = onHost[c] + joint.restGap * away;
+	joint.faces[swapped]  = brickFace(host, hostFace, onHost);
+	joint.faces[!swapped] = guest.support ? supportFace(guest, guestFace, onGuest) : brickFace(guest, guestFace, onGuest);
+	joint.along           = side0.placement.rotation.transpose() * plane.axis1;
 	return joint;
 }
 
-JointMotion jointMotion(const Joint& joint, const Placement& p0, const Placement& p1)
+JointSegment segmentOf(const Joint& joint, int index)
 {
-	JointMotion    m;
-	const Matrix3r toFrame = p0.rotation.transpose();
-	m.turn                 = toFrame * p1.rotation;
-	m.offset               = toFrame * (p1.position - p0.position);
-	m.normal               = (joint.faces[0].normal - m.turn * joint.faces[1].normal).normalized();
-	const bool moving      = joint.intact < int(joint.segments.size());
-	for (int a = 0; a < 4; ++a) {
-		const int n0 = joint.faces[0].nodes[a], n1 = joint.faces[1].nodes[a];
-		m.positions[0][a] = joint.faces[0].corners[a];
-		m.positions[1][a] = joint.faces[1].corners[a];
-		if (p0.displacement && n0 >= 0) m.positions[0][a] += p0.displacement[n0];
-		if (p1.displacement && n1 >= 0) m.positions[1][a] += p1.displacement[n1];
-		m.positions[1][a] = m.offset + m.turn * m.positions[1][a];
-	}
-	if (!moving) return m;
+	if (joint.segments.count() == 0)
+		return { (index % joint.rows[0] + .5) / joint.rows[0], (index / joint.rows[0] + .5) / joint.rows[1], joint.area() / joint.count, SegmentState::Intact };
+	const auto at = [&](JointSegments::Row row) { return joint.segments.row(row)[index]; };
+	return { at(JointSegments::P), at(JointSegments::Q), at(JointSegments::Area), SegmentState(int(at(JointSegments::State))) };
+}
 
-	const Vector3r drift = toFrame * (p1.velocity - p0.velocity), spin0 = toFrame * p0.angularVelocity, spin1 = toFrame * p1.angularVelocity;
-	for (int a = 0; a < 4; ++a) {
-		const int n0 = joint.faces[0].nodes[a], n1 = joint.faces[1].nodes[a];
-		m.velocities[0][a] = spin0.cross(m.positions[0][a]);
-		m.velocities[1][a] = drift + spin1.cross(m.positions[1][a] - m.offset);
-		if (p0.displacementRate && n0 >= 0) m.velocities[0][a] += p0.displacementRate[n0];
-		if (p1.displacementRate && n1 >= 0) m.velocities[1][a] += m.turn * p1.displacementRate[n1];
-	}
-	return m;
+void makeSegments(Joint& joint)
+{
+	if (joint.segments.count() > 0) return;
+	std::vector<JointSegment> segments;
+	for (int s = 0; s < joint.count; ++s)
+		segments.push_back(segmentOf(joint, s));
+	joint.segments = arraysOf(segments);
 }
 
 namespace {
 
-	Vector3r weighted(const Vector4r& w, const std::array<Vector3r, 4>& x) { return w[0] * x[0] + w[1] * x[1] + w[2] * x[2] + w[3] * x[3]; }
-
-	/// Traction on side 0 of a failed segment: unilateral spring and dashpot, Coulomb friction; moves the slip.
-	Vector3r
-	contactTraction(JointSegment& segment, const SpotSprings& k, Real tanFriction, const Vector3r& n, Real un, const Vector3r& ut, const Vector3r& rate)
+	/// Displacements of a face's nodes, a row each.
+	CornerVectors nodal(const JointFace& face, const Vector3r* field)
 	{
-		const Real opening  = rate.dot(n);
-		const Real pressure = un < 0 ? std::max(0., -(k.normal * un + k.normalDashpot * opening)) : 0;
-		if (pressure == 0) {
-			segment.slip = ut;
-			return Vector3r::Zero();
+		CornerVectors out;
+		for (int a = 0; a < 4; ++a)
+			out.row(a) = field[face.nodes[a]];
+		return out;
+	}
+
+	/// Corners of a face as it is deformed, body axes.
+	CornerVectors deformed(const JointFace& face, const Vector3r* displacement)
+	{
+		if (!displacement || face.face < 0) return face.corners;
+		return face.corners + face.weights * nodal(face, displacement);
+	}
+
+	/// Velocities of a face's corners, axes of side 0: of a body with this velocity and spin whose corners are at x from its position.
+	CornerVectors cornerRates(const JointFace& face, const CornerVectors& x, const Vector3r& velocity, const Vector3r& spin, const Matrix3r& turn, const Vector3r* rate)
+	{
+		CornerVectors out;
+		for (int c = 0; c < 4; ++c)
+			out.row(c) = velocity + spin.cross(Vector3r(x.row(c)));
+		if (rate && face.face >= 0) out += face.weights * nodal(face, rate) * turn.transpose();
+		return out;
+	}
+
+} // namespace
+
+void jointMotion(const Joint& joint, const Placement& p0, const Placement& p1, JointMotion& m)
+{
+	const Matrix3r toFrame = p0.rotation.transpose();
+	m.turn                 = toFrame * p1.rotation;
+	m.offset               = toFrame * (p1.position - p0.position);
+	m.normal               = (joint.faces[0].normal - m.turn * joint.faces[1].normal).normalized();
+	m.place                = deformed(joint.faces[0], p0.displacement);
+	const CornerVectors x1 = deformed(joint.faces[1], p1.displacement) * m.turn.transpose();
+	m.opening              = x1.rowwise() + m.offset.transpose();
+	m.opening -= m.place;
+	m.deformable = { p0.displacement && joint.faces[0].face >= 0, p1.displacement && joint.faces[1].face >= 0 };
+	if (joint.holds()) return;
+	m.rate = cornerRates(joint.faces[1], x1, toFrame * (p1.velocity - p0.velocity), toFrame * p1.angularVelocity, m.turn, p1.displacementRate)
+	        - cornerRates(joint.faces[0], m.place, Vector3r::Zero(), toFrame * p0.angularVelocity, Matrix3r::Identity(), p0.displacementRate);
+}
+
+namespace {
+
+	/// Normal and tangential axes of a joint, frame of side 0; they turn with the mean of both faces.
+	struct Axes {
+		Vector3r normal, tangent1, tangent2;
+
+		Axes(const Joint& joint, const Vector3r& n)
+		        : normal(n)
+		{
+			constexpr Real upright = 1e-6; // p has turned into the normal
+			const Vector3r along   = joint.along - n * n.dot(joint.along);
+			tangent1               = along.norm() > upright ? Vector3r(along.normalized()) : Vector3r(n.unitOrthogonal());
+			tangent2               = n.cross(tangent1);
 		}
-		segment.slip -= n * n.dot(segment.slip);
-		const Vector3r elastic = limited(k.shear * (ut - segment.slip), pressure * tanFriction);
-		segment.slip           = ut - elastic / k.shear;
-		return limited(elastic + k.shearDashpot * (rate - opening * n), pressure * tanFriction) - pressure * n;
+	};
+
+	/// Coefficients of 1, p, q, pq of a component given at the corners.
+	void coefficients(const CornerVectors& at, const Vector3r& axis, Real (&out)[4])
+	{
+		const Vector4r c = at * axis;
+		out[0] = c[0], out[1] = c[1] - c[0], out[2] = c[3] - c[0], out[3] = (c[2] - c[1]) - (c[3] - c[0]);
 	}
 
-	/// Slope of a face over the joint's mean plane along a vector in it.
-	Real slope(const std::array<Vector3r, 4>& face, const Vector3r& normal, const Vector3r& along)
+	SegmentField fieldOf(const CornerVectors& at, const Axes& axes)
 	{
-		constexpr Real upright = 1e-6; // of a face that has turned out of the mean plane altogether
-		const Vector3r across  = (face[2] - face[0]).cross(face[3] - face[1]).normalized();
-		const Real     up      = across.dot(normal);
-		return -across.dot(along) / std::copysign(std::max(std::abs(up), upright), up);
+		SegmentField field;
+		coefficients(at, axes.normal, field.normal);
+		coefficients(at, axes.tangent1, field.tangent1);
+		coefficients(at, axes.tangent2, field.tangent2);
+		return field;
 	}
 
-	void countFailure(SegmentState mode, Failures& failures)
+	SegmentField openingOf(const Joint& joint, const JointMotion& m, const Axes& axes)
 	{
-		failures.tension += mode == SegmentState::Tension;
-		failures.shear += mode == SegmentState::Shear;
-		failures.compression += mode == SegmentState::Compression;
+		SegmentField field = fieldOf(m.opening, axes);
+		field.normal[0] -= joint.restGap;
+		return field;
+	}
+
+	/// Moments with the corners' weights from moments with 1, p, q, pq.
+	Vector4r atCorners(const Real (&m)[4]) { return { (m[0] - m[1]) - (m[2] - m[3]), m[1] - m[3], m[3], m[2] - m[3] }; }
+
+	Real at(const Real (&c)[4], Real p, Real q) { return c[0] + p * c[1] + (q * c[2] + p * q * c[3]); }
+
+	/// The hinge rule (see the head of Joint.hpp) as the sweep wants it.
+	void setHinge(const Joint& joint, Real edge, SegmentSweep& sweep)
+	{
+		constexpr Real hinge   = 10; // far beyond any stress of a joint that bends with its wall
+		const bool     cracked = !joint.holds();
+		sweep.bending          = joint.springs.normal * edge;
+		sweep.hingeTension     = cracked ? joint.strength.tension : hinge * joint.strength.tension;
+		sweep.hingeShare       = cracked ? 0 : hinge;
+		sweep.hingeSign        = cracked ? 1 : 0;
+	}
+
+	SegmentSweep sweepOf(const Joint& joint, const JointMotion& m, const Axes& axes, Real tanFriction)
+	{
+		SegmentSweep sweep;
+		sweep.opening = openingOf(joint, m, axes);
+		if (!joint.holds()) sweep.rate = fieldOf(m.rate, axes);
+		sweep.springs     = joint.springs;
+		sweep.strength    = joint.strength;
+		sweep.tanFriction = tanFriction;
+		setHinge(joint, edgeOpening(joint, m), sweep);
+		return sweep;
+	}
+
+	/// Opening at the outermost segments, a row each.
+	CornerVectors outermostOpening(const Joint& joint, const CornerVectors& d)
+	{
+		const auto& [p0, p1, q0, q1] = joint.outermost;
+		auto edgePoint = [&d](int from, int to, Real t) { return Vector3r(d.row(from) + t * (d.row(to) - d.row(from))); };
+		const Vector3r low0 = edgePoint(0, 3, q0), low1 = edgePoint(1, 2, q0), high0 = edgePoint(0, 3, q1), high1 = edgePoint(1, 2, q1);
+		CornerVectors  out;
+		out.row(0) = low0 + p0 * (low1 - low0);
+		out.row(1) = low0 + p1 * (low1 - low0);
+		out.row(2) = high0 + p1 * (high1 - high0);
+		out.row(3) = high0 + p0 * (high1 - high0);
+		return out;
+	}
+
+	/// Whether no segment of a joint that holds can fail. Finds the largest penetration of a segment.
+	bool keepsHolding(const Joint& joint, const JointMotion& m, Real& penetration)
+	{
+		const CornerVectors d  = outermostOpening(joint, m.opening);
+		const Vector4r      un = d * m.normal;
+		penetration            = joint.restGap - un.minCoeff();
+		for (int c = 0; c < 4; ++c) {
+			const Vector3r ut    = Vector3r(d.row(c)) - un[c] * m.normal;
+			const Real     sigma = joint.springs.normal * (un[c] - joint.restGap), shear = joint.springs.shear * ut.norm();
+			if (failureMode(joint.strength, sigma, shear) != SegmentState::Intact) return false;
+		}
+		if (joint.rows[0] > 1 && joint.rows[1] > 1) return true;
+		SegmentSweep hinge;
+		setHinge(joint, edgeOpening(joint, m), hinge);
+		return hinge.bending <= hinge.hingeTension;
+	}
+
+	/// Force on side 0 of a joint that holds, at the corners of its rectangle.
+	CornerVectors intactForce(const Joint& joint, const JointMotion& m)
+	{
+		const Real          kn = joint.springs.normal, ks = joint.springs.shear;
+		const CornerVectors mean   = joint.weight * m.opening;
+		const Vector4r      normal = (kn - ks) * (mean * m.normal) - kn * joint.restGap * joint.weight.rowwise().sum();
+		return ks * mean + normal * m.normal.transpose();
+	}
+
+	Failures countFailures(const JointSegments& segments)
+	{
+		Failures out;
+		for (int s = 0; s < segments.count(); ++s) {
+			const auto state = SegmentState(int(segments.row(JointSegments::State)[s]));
+			out.tension += state == SegmentState::Tension;
+			out.shear += state == SegmentState::Shear;
+			out.compression += state == SegmentState::Compression;
+		}
+		return out;
+	}
+
+	/// The same segment by segment, with all that can happen to them.
+	CornerVectors sweptForce(Joint& joint, const JointMotion& m, Real tanFriction, Real& penetration)
+	{
+		makeSegments(joint);
+		const Axes        axes(joint, m.normal);
+		const SegmentSums sums = sweepSegments(joint.segments, sweepOf(joint, m, axes, tanFriction));
+		if (sums.anyFailed) joint.failures = countFailures(joint.segments);
+		penetration = sums.penetration;
+		return atCorners(sums.force.normal) * axes.normal.transpose() + atCorners(sums.force.tangent1) * axes.tangent1.transpose()
+		        + atCorners(sums.force.tangent2) * axes.tangent2.transpose();
 	}
 
 } // namespace
 
 Real edgeOpening(const Joint& joint, const JointMotion& m)
 {
-	const bool cracked = joint.intact < int(joint.segments.size());
-	Real       edge    = 0;
-	for (int k = 0; k < 2; ++k)
-		if (cracked || joint.rows[k] == 1) {
-			const Vector3r along = joint.halves[k] - m.normal * m.normal.dot(joint.halves[k]);
-			edge += std::abs(slope(m.positions[1], m.normal, along) - slope(m.positions[0], m.normal, along));
-		}
+	// the opening's change over half a segment along the middle of the rectangle
+	const Vector4r un = m.opening * m.normal;
+	Real           edge = 0;
+	if (!joint.holds() || joint.rows[0] == 1) edge += std::abs((un[1] - un[0]) + (un[2] - un[3])) / (4 * joint.rows[0]);
+	if (!joint.holds() || joint.rows[1] == 1) edge += std::abs((un[3] - un[0]) + (un[2] - un[1])) / (4 * joint.rows[1]);
 	return edge;
 }
 
-SegmentState segmentFailure(const Joint& joint, Real opening, Real shear, Real edge)
+Failures jointLoads(Joint& joint, const JointMotion& m, Real tanFriction, const Matrix3r& rotation0, JointLoads& loads, PairSummary& sum)
 {
-	constexpr Real     hinge  = 10; // far beyond any stress of a joint that bends with its wall
-	const Real         stress = joint.springs.normal * opening, bending = joint.springs.normal * edge;
-	const SegmentState mode = failureMode(joint.strength, stress, shear);
-	if (mode != SegmentState::Intact || edge == 0) return mode;
-	const bool cracked = joint.intact < int(joint.segments.size());
-	const bool opens   = cracked ? stress + bending > joint.strength.tension : bending > hinge * (joint.strength.tension + std::abs(stress));
-	return opens ? SegmentState::Tension : SegmentState::Intact;
-}
+	const Failures before = joint.failures;
+	const bool     whole  = joint.holds() && keepsHolding(joint, m, sum.penetration);
+	const CornerVectors F = whole ? intactForce(joint, m) : sweptForce(joint, m, tanFriction, sum.penetration);
 
-Failures jointLoads(Joint& joint, const JointMotion& m, const PairSprings& pair, const Matrix3r& rotation0, std::array<Loads, 2>& loads, PairSummary& sum)
-{
-	Failures                failed;
-	std::array<Vector3r, 4> onNodes0, onNodes1;
-	onNodes0.fill(Vector3r::Zero()), onNodes1.fill(Vector3r::Zero());
-	Vector3r   force = Vector3r::Zero(), torque = Vector3r::Zero(), middle = Vector3r::Zero();
-	Real       normalForce = 0;
-	const auto n           = m.normal;
-	const Real edge        = edgeOpening(joint, m);
-	for (auto& segment : joint.segments) {
-		const Vector3r x0 = weighted(segment.weights[0], m.positions[0]);
-		const Vector3r d  = weighted(segment.weights[1], m.positions[1]) - x0;
-		const Real     un = d.dot(n) - joint.restGap;
-		const Vector3r ut = d - d.dot(n) * n;
-		Vector3r       traction; // on side 0
-		if (segment.state == SegmentState::Intact) {
-			traction                = joint.springs.normal * un * n + joint.springs.shear * ut;
-			const SegmentState mode = segmentFailure(joint, un, joint.springs.shear * ut.norm(), edge);
-			if (mode != SegmentState::Intact) {
-				segment.state = mode;
-				--joint.intact;
-				countFailure(mode, failed);
-				traction = contactTraction(segment, joint.springs, pair.tanFriction, n, un, ut, Vector3r::Zero());
-			}
-		} else {
-			const Vector3r rate = weighted(segment.weights[1], m.velocities[1]) - weighted(segment.weights[0], m.velocities[0]);
-			traction            = contactTraction(segment, joint.springs, pair.tanFriction, n, un, ut, rate);
-		}
-		const Vector3r f = segment.area * traction, at = x0 + d / 2;
-		for (int a = 0; a < 4; ++a)
-			onNodes0[a] += segment.weights[0][a] * f, onNodes1[a] -= segment.weights[1][a] * f;
-		force += f;
-		torque += at.cross(f);
-		middle += segment.area * at;
-		normalForce -= f.dot(n);
-		sum.area += segment.area;
-		sum.penetration = std::max(sum.penetration, -un);
-	}
+	const CornerVectors middle = m.place + m.opening / 2;
+	const Vector3r      force  = F.colwise().sum();
+	Vector3r            torque = Vector3r::Zero();
+	for (int c = 0; c < 4; ++c)
+		torque += Vector3r(middle.row(c)).cross(Vector3r(F.row(c)));
+	if (m.deformable[0]) loads.nodal[0] = joint.faces[0].weights.transpose() * F;
+	if (m.deformable[1]) loads.nodal[1] = -(joint.faces[1].weights.transpose() * (F * m.turn));
+	loads.force[0]  = rotation0 * force;
+	loads.force[1]  = -loads.force[0];
+	loads.torque[0] = rotation0 * torque;
+	loads.torque[1] = rotation0 * (m.offset.cross(force) - torque);
 
-	for (int s = 0; s < 2; ++s)
-		loads[s] = Loads();
-	for (int a = 0; a < 4; ++a) {
-		if (joint.faces[0].face >= 0) loads[0].nodal[joint.faces[0].nodes[a]] = onNodes0[a];
-		if (joint.faces[1].face >= 0) loads[1].nodal[joint.faces[1].nodes[a]] = m.turn.transpose() * onNodes1[a];
-	}
-	loads[0].force  = rotation0 * force;
-	loads[1].force  = -loads[0].force;
-	loads[0].torque = rotation0 * torque;
-	loads[1].torque = rotation0 * (m.offset.cross(force) - torque);
-	sum.normal      = rotation0 * n;
-	sum.normalForce = normalForce * sum.normal;
-	sum.shearForce  = loads[1].force - sum.normalForce;
-	sum.point       = rotation0 * (middle / sum.area);
+	sum.area        = joint.area();
+	sum.normal      = rotation0 * m.normal;
+	sum.normalForce = -force.dot(m.normal) * sum.normal;
+	sum.shearForce  = loads.force[1] - sum.normalForce;
+	sum.point       = rotation0 * Vector3r(middle.transpose() * joint.weight.rowwise().sum() / sum.area);
 	sum.kn          = joint.springs.normal * sum.area;
 	sum.ks          = joint.springs.shear * sum.area;
-	return failed;
+	return { joint.failures.tension - before.tension, joint.failures.shear - before.shear, joint.failures.compression - before.compression };
 }
 
-SegmentTraction segmentTraction(const Joint& joint, const JointSegment& segment, const JointMotion& m, Real tanFriction)
+SegmentTraction segmentTraction(const Joint& joint, int index, const JointMotion& m, Real tanFriction)
 {
-	const Vector3r d  = weighted(segment.weights[1], m.positions[1]) - weighted(segment.weights[0], m.positions[0]);
-	const Real     un = d.dot(m.normal) - joint.restGap;
-	const Vector3r ut = d - d.dot(m.normal) * m.normal;
-	if (segment.state == SegmentState::Intact) return { joint.springs.normal * un, joint.springs.shear * ut };
-	const Real     pressure = std::max(0., -joint.springs.normal * un);
-	const Vector3r slip     = segment.slip - m.normal * m.normal.dot(segment.slip);
-	return { -pressure, limited(joint.springs.shear * (ut - slip), pressure * tanFriction) };
+	const JointSegment segment = segmentOf(joint, index);
+	const Axes         axes(joint, m.normal);
+	const SegmentField opening = openingOf(joint, m, axes);
+	const Real         un = at(opening.normal, segment.p, segment.q);
+	Vector2r           ut(at(opening.tangent1, segment.p, segment.q), at(opening.tangent2, segment.p, segment.q));
+	Real               normal = joint.springs.normal * un;
+	if (segment.state == SegmentState::Intact) ut *= joint.springs.shear;
+	else {
+		normal = std::min(0., normal);
+		ut -= Vector2r(joint.segments.row(JointSegments::Slip1)[index], joint.segments.row(JointSegments::Slip2)[index]);
+		ut *= joint.springs.shear;
+		const Real limit = -normal * tanFriction;
+		if (ut.norm() > limit) ut *= limit / ut.norm();
+	}
+	return { normal, ut[0] * axes.tangent1 + ut[1] * axes.tangent2 };
+}
+
+Failures overloaded(const Joint& joint, const JointMotion& m)
+{
+	Joint tried = joint;
+	makeSegments(tried);
+	sweepSegments(tried.segments, sweepOf(tried, m, Axes(tried, m.normal), 0));
+	return countFailures(tried.segments);
 }
 
 Real jointEnergy(const Joint& joint, const JointMotion& m, Real tanFriction)
 {
 	Real energy = 0;
-	for (const auto& segment : joint.segments) {
-		const SegmentTraction t = segmentTraction(joint, segment, m, tanFriction);
-		energy += segment.area / 2 * (t.normal * t.normal / joint.springs.normal + t.shear.squaredNorm() / joint.springs.shear);
+	for (int s = 0; s < joint.count; ++s) {
+		const SegmentTraction t = segmentTraction(joint, s, m, tanFriction);
+		energy += segmentOf(joint, s).area / 2 * (t.normal * t.normal / joint.springs.normal + t.shear.squaredNorm() / joint.springs.shear);
 	}
 	return energy;
 }

@@ -2,13 +2,16 @@
 // A mortar joint: the overlap of two faces that touched at the start, cut into segments, each with a restoring spring that can fail
 // and is then replaced, for good, by a contact spring and dashpot.                       [Furukawa2014, sections 2.1-2.4, eqs. (5)-(9)]
 //
-// Everything is computed in the frame of side 0. Segment s joins two material points, x0 and x1; d = x1 - x0 is split along the mean
-// normal n of both faces (it turns with the mean of the two rotations, which makes the springs conservative when the force acts half
-// way between the points; a common point keeps linear and angular momentum to round-off):
-//     un = d.n  (> 0 open),  ut = d - un n
-//     intact   sigma = kn un,  tau = ks ut
-//     failed   sigma = min(0, kn un + cn un'),  tau = ks (ut - slip) + cs ut',  |tau| <= |sigma| tan(phi)
-// slip is the plastic part of ut: it follows ut while the segment is open or slides.
+// Everything is computed in the frame of side 0. A point of the overlap is a material point of both faces, x0 and x1; d = x1 - x0 is split along the mean
+// normal n of both faces (it turns with the mean of the two rotations, which makes the springs conservative when the force acts half way between the points; a
+// common point keeps linear and angular momentum to round-off). JointSegments.hpp has the law of a segment.
+//
+// The overlap lies in a rectangle (p, q) in [0,1]^2, of whose corners the faces' displacements are taken; between them they are bilinear. That is the faces' own
+// field whenever the rectangle lies along the edges of both faces; otherwise an interpolation of it that is exact for every rigid motion and uniform strain.
+//
+// **While a joint holds, its segments are not looked at**: d is bilinear over the rectangle and each failure criterion is convex in d, so when none is met at the
+// outermost segments, none is met anywhere; and the force of all segments together is a constant matrix (`weight`) times d at the corners. This is the sum over
+// the segments to round-off, at a cost that does not depend on their number; arrays of segments are made when the first one fails.
 //
 // A segment is seen at its middle only, so a last row of segments that hold would be a hinge: the bricks turn about it and sink into each other beside it, and when
 // it fails contact meets that overlap at once, which is energy from nothing. So in a joint that has cracked a segment fails in tension when its edge opens beyond the
@@ -16,55 +19,81 @@
 // start, fails when its edges differ from its middle by ten times what tears it (its bending is otherwise not felt, as in the paper).
 #pragma once
 
-#include "MortarLaw.hpp"
+#include "JointSegments.hpp"
 #include "Placement.hpp"
-#include "Springs.hpp"
 
 #include <optional>
-#include <vector>
 
 namespace brick {
 
-struct JointSegment {
-	std::array<Vector4r, 2> weights;   ///< of the face's nodes on both sides
-	Real                    area  = 0; ///< [m2]
-	SegmentState            state = SegmentState::Intact;
-	Vector3r                slip { Vector3r::Zero() }; ///< frame of side 0 [m]; zero while intact
+/// A value at each of the four corners of a joint's rectangle, a row each: (p, q) = (0,0), (1,0), (1,1), (0,1).
+using CornerVectors = Eigen::Matrix<Real, 4, 3>;
+using CornerWeights = Eigen::Matrix<Real, 4, 4>;
+
+/// Segments that failed, by mode.
+struct Failures {
+	int tension = 0, shear = 0, compression = 0;
+	int total() const { return tension + shear + compression; }
 };
 
 struct JointFace {
-	int                     face = -1;                ///< of the brick; -1 on a support
-	std::array<int, 4>      nodes { -1, -1, -1, -1 }; ///< -1 on a support, whose points do not move against it
-	std::array<Vector3r, 4> corners;                  ///< at rest, body axes [m]; of the second face: moved to where every segment is restGap wide
-	Vector3r                normal;                   ///< outward, body axes
+	int                face = -1;                          ///< of the brick; -1 on a support
+	std::array<int, 4> nodes { -1, -1, -1, -1 };           ///< -1 on a support, whose points do not move against it
+	CornerVectors      corners { CornerVectors::Zero() };  ///< of the rectangle at rest, body axes [m]; of the second face: moved to where the joint is restGap wide
+	CornerWeights      weights { CornerWeights::Zero() };  ///< of the face's nodes (columns) at the corners (rows)
+	Vector3r           normal { Vector3r::Zero() };        ///< outward, body axes
 };
 
 struct Joint {
-	std::array<JointFace, 2>  faces;
-	std::vector<JointSegment> segments;
-	SpotSprings               springs;
-	MortarStrength            strength;
-	std::array<Vector3r, 2>   halves;        ///< half the edges of a segment that is not cut, frame of side 0 at rest [m]
-	std::array<int, 2>        rows { 1, 1 }; ///< of segments, along these edges
-	Real                      restGap = 0;   ///< distance of the faces, at the centre of one, when they were joined [m]; taken as closed
-	int                       intact  = 0;   ///< segments that hold
-	bool                      exists() const { return !segments.empty(); }
+	std::array<JointFace, 2> faces;
+	SpotSprings              springs;
+	MortarStrength           strength;
+	Vector3r                 along { Vector3r::Zero() };        ///< unit vector along p, frame of side 0 at rest
+	std::array<int, 2>       rows { 1, 1 };                     ///< of segments, along p and q
+	std::array<Real, 4>      outermost { 0, 0, 0, 0 };          ///< segments: least and largest p, least and largest q
+	CornerWeights            weight { CornerWeights::Zero() };  ///< sum over the segments of area times N N^T, N the bilinear weights of the corners [m2]
+	JointSegments            segments;                          ///< empty as long as they are a whole grid that holds
+	int                      count = 0;                         ///< segments
+	Failures                 failures;                          ///< so far
+	Real                     restGap = 0;                       ///< distance of the faces, at the centre of one, when they were joined [m]; taken as closed
+
+	bool exists() const { return count > 0; }
+	int  intact() const { return count - failures.total(); } ///< segments that hold
+	bool holds() const { return failures.total() == 0; }
+	Real area() const { return weight.sum(); } ///< [m2]
 };
 
+/// One segment of a joint, for readers.
+struct JointSegment {
+	Real         p = 0, q = 0;
+	Real         area  = 0; ///< [m2]
+	SegmentState state = SegmentState::Intact;
+};
+JointSegment segmentOf(const Joint&, int index);
+
+/// Lays the segments out in arrays, if they are not yet.
+void makeSegments(Joint&);
+
+/// Bilinear weights of a rectangle's corners.
+inline Vector4r cornerWeights(Real p, Real q) { return { (1 - p) * (1 - q), p * (1 - q), p * q, (1 - p) * q }; }
+
 /// Joint of two faces if they touch: normals opposite within `angleTolerance` [rad], planes within `tolerance` [m], overlapping.
-/// Segments are cells of a grid along the first side's face edges that are as large as the smaller segments of the two faces; cells at the
+/// Segments are cells of a grid along a brick's face edges that are as large as the smaller segments of the two faces; cells at the
 /// border are cut to the overlap. Allocates; for set-up.
 std::optional<Joint> joinFaces(const Side& side0, int face0, const Side& side1, int face1, Real tolerance, Real angleTolerance = 1e-3);
 
-/// The eight face nodes of a joint in the frame of side 0.
+/// A joint as it is placed: relative to side 0's position, in its frame.
 struct JointMotion {
-	std::array<std::array<Vector3r, 4>, 2> positions;  ///< relative to side 0's position [m]
-	std::array<std::array<Vector3r, 4>, 2> velocities; ///< relative to side 0's, only when some segment has failed [m/s]
-	Vector3r                               normal;     ///< from side 0 to side 1
-	Matrix3r                               turn;       ///< axes of side 1 to axes of side 0
-	Vector3r                               offset;     ///< position of side 1 [m]
+	CornerVectors place;                             ///< of side 0's corners [m]
+	CornerVectors opening;                           ///< of side 1's corners, from side 0's [m]
+	CornerVectors rate { CornerVectors::Zero() };    ///< of the opening, only when some segment has failed [m/s]
+	Vector3r      normal { Vector3r::Zero() };       ///< from side 0 to side 1
+	Matrix3r      turn { Matrix3r::Identity() };     ///< axes of side 1 to axes of side 0
+	Vector3r      offset { Vector3r::Zero() };       ///< position of side 1 [m]
+
+	std::array<bool, 2> deformable { false, false }; ///< sides whose nodes take forces
 };
-JointMotion jointMotion(const Joint&, const Placement& side0, const Placement& side1);
+void jointMotion(const Joint&, const Placement& side0, const Placement& side1, JointMotion&);
 
 /// Sums over an interaction, for its reader; forces act on side 1, world axes.
 struct PairSummary {
@@ -76,28 +105,29 @@ struct PairSummary {
 	Real     penetration = 0;             ///< largest [m]
 };
 
-/// Segments that failed in one step, by mode.
-struct Failures {
-	int tension = 0, shear = 0, compression = 0;
-	int total() const { return tension + shear + compression; }
+/// What a joint does to its bodies.
+struct JointLoads {
+	std::array<Vector3r, 2>      force;  ///< world axes [N]
+	std::array<Vector3r, 2>      torque; ///< about the bodies' positions, world axes [N m]
+	std::array<CornerVectors, 2> nodal;  ///< on the face's nodes, a row each, body axes [N]; only of deformable bricks
 };
 
-/// Tractions of all segments, failure, friction; forces on both sides. Writes the loads and the segments' state and slip.
-Failures jointLoads(Joint&, const JointMotion&, const PairSprings&, const Matrix3r& rotation0, std::array<Loads, 2>& loads, PairSummary&);
+/// Forces of all segments on both sides, failure, friction. Writes segments; allocates when the first one fails.
+/// @param rotation0 axes of side 0 to world axes
+Failures jointLoads(Joint&, const JointMotion&, Real tanFriction, const Matrix3r& rotation0, JointLoads& loads, PairSummary&);
 
 /// Normal stress (tension positive) and shear stress vector (frame of side 0) on one segment, dashpots left out [Pa].
 struct SegmentTraction {
 	Real     normal;
 	Vector3r shear;
 };
-SegmentTraction segmentTraction(const Joint&, const JointSegment&, const JointMotion&, Real tanFriction);
+SegmentTraction segmentTraction(const Joint&, int segment, const JointMotion&, Real tanFriction);
 
 /// How much more than its middle an edge of a segment opens, by the angle between the faces [m]; zero where the joint is no hinge.
 Real edgeOpening(const Joint&, const JointMotion&);
 
-/// The mode in which an intact segment fails.
-/// @param opening of its middle, un [m]   @param shear traction [Pa]   @param edge see edgeOpening
-SegmentState segmentFailure(const Joint&, Real opening, Real shear, Real edge);
+/// Segments of a joint that holds which this opening is too much for.
+Failures overloaded(const Joint&, const JointMotion&);
 
 /// Elastic energy of the springs of all segments [J].
 Real jointEnergy(const Joint&, const JointMotion&, Real tanFriction);

@@ -29,7 +29,7 @@ struct Side {
 	Placement                  placement;
 };
 
-/// What one joint or contact does to one of its bodies.
+/// What a contact does to one of its bodies.
 struct Loads {
 	Vector3r force { Vector3r::Zero() };  ///< world axes [N]
 	Vector3r torque { Vector3r::Zero() }; ///< about the body's position, world axes [N m]
