@@ -164,14 +164,14 @@ def seismicCase(row):
 	shake = build.groundMotion(motion.syntheticNearFault().scaled(row.scale), startTime=O.time)
 	O.engines = O.engines[:-1] + [shake] + O.engines[-1:]
 	followed, start = masonry.courses[-1][0], O.time
-	home, heights, failedBefore = followed.state.pos[0], [body.state.pos[2] for body in masonry.bodies], 0
+	home, heights = followed.state.pos[0], [body.state.pos[2] for body in masonry.bodies]
 	found = {"times": [], "displacements": [], "firstCrack": None, "collapse": None}
 
 	def look():
 		now = O.time - start
 		found["times"].append(now)
 		found["displacements"].append(followed.state.pos[0] - home)
-		if found["firstCrack"] is None and law.tensionFailures + law.shearFailures + law.compressionFailures > failedBefore:
+		if found["firstCrack"] is None and law.tensionFailures + law.shearFailures + law.compressionFailures > 0:
 			found["firstCrack"] = now
 		if any(height - body.state.pos[2] > 0.1 for height, body in zip(heights, masonry.bodies)):
 			found["collapse"] = now
@@ -186,7 +186,7 @@ runners = {"cube": cubeCase, "cantilever": cantileverCase, "weight": weightCase,
 
 
 def secondsOfWork():
-	"""Seconds of work a simulated second of the scene as it stands: of seven pieces of a twentieth of a second at least, the fastest."""
+	"""Seconds of work a simulated second of the scene as it stands: of fifteen pieces of a twentieth of a second at least, the fastest."""
 
 	def spent(steps):
 		begun = time.process_time()
@@ -197,7 +197,7 @@ def secondsOfWork():
 	steps = 100
 	while spent(steps) < 0.05 and steps < 10**6:
 		steps *= 2
-	return min(spent(steps) for _ in range(7)) / (steps * O.dt)
+	return min(spent(steps) for _ in range(15)) / (steps * O.dt)
 
 
 def memoryPerBrick(setting):
@@ -286,11 +286,12 @@ panels = {
 }
 
 
-def machine():
-	"""What it ran on, for the reader of the seconds."""
+def circumstances(found):
+	"""What it ran on, for the reader of the seconds, and what the shaken wall is compared with."""
 	with open("/proc/cpuinfo") as file:
 		models = [line.split(":", 1)[1].strip() for line in file if line.startswith("model name")]
-	return f"{models[0] if models else platform.machine()}, {os.cpu_count()} cores, one thread"
+	reference = [f" Reference of the shaken wall: {accuracy.title(result['row'].setting)}." for result in found if result["row"].reference]
+	return f"{models[0] if models else platform.machine()}, {os.cpu_count()} cores, one thread." + "".join(reference)
 
 
 def write(out, found, missing, page):
@@ -303,16 +304,16 @@ def write(out, found, missing, page):
 	with open(os.path.join(out, "table.csv"), "w", newline="") as file:
 		csv.writer(file).writerows([headings, *rows])
 	with open(os.path.join(out, "table.md"), "w") as file:
-		file.write(f"{machine()}\n\n{accuracy.markdown(headings, rows)}\n{text}")
+		file.write(f"{circumstances(found)}\n\n{accuracy.markdown(headings, rows)}\n{text}")
 	fronts = {name: [point._asdict() | {"setting": point.setting._asdict()} for point in accuracy.front(members)] for name, members in points.items()}
-	content = {"machine": machine(), "scatterOfCollapse": scatter, "fronts": fronts, "rowsWithoutResult": missing}
+	content = {"circumstances": circumstances(found), "scatterOfCollapse": scatter, "fronts": fronts, "rowsWithoutResult": missing}
 	content["rows"] = [{**result, "row": {**result["row"]._asdict(), "setting": result["row"].setting._asdict()}} for result in found]
 	with open(os.path.join(out, "accuracy.json"), "w") as file:
 		json.dump(content, file, indent="\t", default=float)
 	picture = os.path.join(out, "accuracy.png")
 	draw(points, scatter, picture)
 	if page:
-		fillPage(page, f"{accuracy.pageTable(found, points)}\n{machine()}.\n", text, picture)
+		fillPage(page, f"{accuracy.pageTable(found, points)}\n{circumstances(found)}\n", text, picture)
 	return text
 
 
@@ -345,7 +346,7 @@ def draw(points, scatter, path):
 		drawPanel(axes, members, panels[name])
 		if name == "collapse" and scatter:
 			lowest = axes.get_ylim()[0]
-			axes.axhspan(lowest, scatter, color="#dddddd", zorder=0)
+			axes.axhspan(lowest, scatter, color="#dddddd", zorder=0.1)
 			axes.set_ylim(bottom=lowest)
 	for axes in grid[len(points):]:
 		axes.set_axis_off()
@@ -366,24 +367,27 @@ def drawPanel(axes, points, title):
 		marker = markers[point.setting.element] if point.setting.level != "rigid" else "o"
 		axes.plot(point.time, point.error, marker, color=colors[point.setting.level], fillstyle="full" if point.setting.inner == "full" else "none")
 	best = accuracy.front(shown)
-	axes.step([point.time for point in best], [point.error for point in best], where="post", color="#2e8b57", lw=1.2, zorder=0)
+	axes.step([point.time for point in best], [point.error for point in best], where="post", color="#2e8b57", lw=1.2, zorder=0.5)
 	axes.margins(x=0.2, y=0.12)
 	axes.grid(True, which="major", color="#eeeeee")
+	axes.set_axisbelow(True)
 	label(axes, shown)
 
 
 def label(axes, points):
-	"""Names beside the points, moved up where they would lie on another."""
+	"""Names beside the points, moved up where they would lie on another name or point."""
 	axes.figure.canvas.draw()
-	taken, high, behind = [], 11, dict(facecolor="white", edgecolor="none", alpha=0.7, pad=0.5)
-	for point in sorted(points, key=lambda point: point.error):
+	places = [tuple(axes.transData.transform((point.time, point.error))) for point in points]
+	# left, right, middle, height of what is taken [pixels]
+	taken, behind = [(x - 5, x + 5, y, 9) for x, y in places], dict(facecolor="white", edgecolor="none", alpha=0.7, pad=0.5)
+	for (x, y), point in sorted(zip(places, points), key=lambda entry: entry[0][1]):
 		text = accuracy.shortTitle(point.setting)
-		x, y = axes.transData.transform((point.time, point.error))
-		width, place = 5.2 * len(text), y
-		while any(abs(place - other) < high and left < x + width and x < right for left, right, other in taken):
-			place += 3
-		taken.append((x, x + width, place))
-		axes.annotate(text, (point.time, point.error), xytext=(5, (place - y) * 72 / axes.figure.dpi - 2), textcoords="offset points", fontsize=7, bbox=behind)
+		left, right, height = x + 7, x + 7 + 5.6 * len(text), y
+		while any(abs(height - middle) < high and begin < right and left < end for begin, end, middle, high in taken):
+			height += 2
+		taken.append((left, right, height, 12))
+		offset = (left - x) * 72 / axes.figure.dpi, (height - y) * 72 / axes.figure.dpi
+		axes.annotate(text, (point.time, point.error), offset, textcoords="offset points", va="center", fontsize=7, bbox=behind, zorder=1)
 
 
 # ---- 6. the command ---------------------------------------------------------------------------------------------------------------

@@ -280,7 +280,7 @@ class Point(NamedTuple):
 	time: float
 
 
-sameTime = 1.1  # times nearer than this are taken as equal: timing is not better than that
+sameTime = 1.25  # times nearer than this are taken as equal: on a machine with other work timing is not better than that
 noGain = 0.95  # an error left by more than this share is no gain
 
 
@@ -362,6 +362,14 @@ def wasted(points):
 	return [effect for effect in effects(points) if effect.timeFactor > sameTime and effect.errorFactor > noGain]
 
 
+def worstWaste(points):
+	"""Of each dial the wasted effect that costs most, the costliest dial first."""
+	worst = {}
+	for effect in sorted(wasted(points), key=lambda effect: -effect.timeFactor):
+		worst.setdefault(effect.dial, effect)
+	return list(worst.values())
+
+
 def cheapestBelow(points, limit):
 	"""The cheapest point whose error is at most the limit; None if there is none."""
 	return min((point for point in points if point.error <= limit), key=lambda point: point.time, default=None)
@@ -420,9 +428,7 @@ def reading(name, points, scatter=None):
 	told = [(what, point) for index, (what, point) in enumerate(wanted) if point not in [other for _, other in wanted[index + 1:]]]
 	lines = [f"{what}: {title(point.setting)} ({percent(point.error)}, {timeText(point.time)} s a simulated second)" for what, point in told]
 	lines += [f"{when}: {turnText(turn)}" for when, turn in zip(("from the defaults, turn first", "then", "then"), turns(points))]
-	# the costliest first; a long list says no more
-	for effect in sorted(wasted(points), key=lambda effect: -effect.timeFactor)[:3]:
-		lines.append(f"wasted: {turnText(effect)} (at {title(effect.before.setting)})")
+	lines += [f"wasted: {turnText(effect)} (at {title(effect.before.setting)})" for effect in worstWaste(points)]
 	if scatter is not None:
 		lines.append(f"{percent(scatter)} is what runs scatter whose motions differ by {roundOff:g}: smaller errors count as that")
 	return [f"**{name}.**"] + [f"- {line}" for line in lines]

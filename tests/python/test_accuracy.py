@@ -154,6 +154,11 @@ class ReadingTest(unittest.TestCase):
 		self.assertEqual((effect.dial, effect.timeFactor), ("segments", 2.0))
 		self.assertAlmostEqual(effect.errorFactor, 0.995)
 
+	def test_costliest_waste_of_each_dial_is_said(self):
+		slow = [Point(defaults._replace(segments=16), 0.2, 30.0), Point(defaults._replace(safety=0.45), 0.2, 8.2)]
+		found = [(effect.dial, round(effect.timeFactor, 2)) for effect in accuracy.worstWaste(self.points + slow)]
+		self.assertEqual(found, [("segments", 3.75), ("safety", 2.05)])
+
 	def test_turns_go_from_the_defaults_each_by_another_dial(self):
 		self.assertEqual([(turn.dial, turn.after) for turn in accuracy.turns(self.points)], [("element", self.element), ("thinness", self.thin)])
 		self.assertEqual(accuracy.turns([self.cheap, self.usual]), [])
