@@ -28,10 +28,11 @@ def restState():
 	"""RestState of the scene; at least one step must have been done."""
 	from yade import Brick, BrickPhys, O
 	from yade.utils import kineticEnergy, unbalancedForce
-	bricks = [body.shape for body in O.bodies if isinstance(body.shape, Brick)]
-	elastic = sum(shape.elasticEnergy() for shape in bricks)
-	elastic += sum(i.phys.elasticEnergy(i.geom) for i in O.interactions if isinstance(i.phys, BrickPhys))
-	return RestState(kineticEnergy() + sum(shape.kineticEnergy() for shape in bricks), elastic, unbalancedForce())
+	# One pass, and each attribute read once: every reading makes a Python object, and this is called at every look of a recording.
+	bricks = [shape for shape in [body.shape for body in O.bodies] if isinstance(shape, Brick)]
+	elastic = sum([shape.elasticEnergy() for shape in bricks])
+	elastic += sum([phys.elasticEnergy(i.geom) for i in O.interactions.all(onlyReal=True) if isinstance(phys := i.phys, BrickPhys)])
+	return RestState(kineticEnergy() + sum([shape.kineticEnergy() for shape in bricks]), elastic, unbalancedForce())
 
 
 def isAtRest(energyRatio=1e-8, imbalance=1e-4):

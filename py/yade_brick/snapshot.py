@@ -3,6 +3,8 @@
 # Reading only: nothing here changes the simulation.
 """The present state of bricks and joints, as arrays for yade_brick.picture."""
 
+import math
+
 import numpy as np
 
 from .build import brickColor
@@ -21,13 +23,25 @@ def patches(bodies, colors=None):
 	for body in bodies:
 		if body is None or not isinstance(body.shape, Brick):
 			continue
-		corners = np.array([tuple(corner) for corner in body.shape.worldCorners(body.state)])
 		color = (colors or {}).get(body.id)
 		support = set(body.state.blockedDOFs) == set("xyzXYZ")
-		if color is None and not support and not any(np.allclose(body.shape.color, plain) for plain in (brickColor, (1, 1, 1))):
-			color = tuple(body.shape.color)
-		found.append(Patch(corners, color, support))
+		if color is None and not support:
+			color = _chosenColor(body.shape)
+		found.append(Patch(worldCorners(body), color, support))
 	return found
+
+
+def worldCorners(body):
+	"""Present corners of a brick, (8, 3) [m]."""
+	# A vector of YADE is read by its numbers: to take it as a sequence, as tuple() and NumPy do, is ten times slower.
+	return np.array([(corner[0], corner[1], corner[2]) for corner in body.shape.worldCorners(body.state)])
+
+
+def _chosenColor(shape):
+	"""A shape's colour, or None for YADE's own and for that of all bricks."""
+	color = tuple(shape.color)
+	plain = any(all(math.isclose(a, b, rel_tol=1e-5, abs_tol=1e-8) for a, b in zip(color, other)) for other in (brickColor, (1, 1, 1)))
+	return None if plain else color
 
 
 class JointRecord:
@@ -43,20 +57,21 @@ class JointRecord:
 
 	def __init__(self):
 		from yade import O
-		self._states, self._sides = {}, {}
+		self._states, places = {}, []
 		for interaction in O.interactions:
 			states = _statesOf(interaction)
 			if states is None:
 				continue
-			pair = (interaction.id1, interaction.id2)
-			world = interaction.phys.segmentPoints(interaction.geom)
-			self._states[pair] = states
-			self._sides[pair] = [[_toBody(O.bodies[i].state, point) for point in world] for i in pair]
+			self._states[interaction.id1, interaction.id2] = states
+			places += [(point[0], point[1], point[2]) for point in interaction.phys.segmentPoints(interaction.geom)]
 		if not self._states:
 			raise ValueError("no mortar joint found; make the record after MortarJoints()() and at least one step")
+		# of all segments, one joint after the other: the two bodies, and the place in the axes of either
+		self._bodies = np.repeat(list(self._states), [len(states) for states in self._states.values()], axis=0).T
+		self._sides = [_toBodies(ids, np.array(places)) for ids in self._bodies]
 
 	def update(self):
-		"""Looks which segments have failed since."""
+		"""Looks which segments have failed since. Costs some microseconds a joint; needed only when the law's counts of failures have changed."""
 		from yade import O
 		for pair, before in self._states.items():
 			if 0 not in before:
@@ -71,15 +86,9 @@ class JointRecord:
 
 		:param widest: segments whose sides have moved apart or slid by more [m] are left out: such a crack shows by itself
 		"""
-		from yade import O
-		points, states = [], []
-		for pair, sides in self._sides.items():
-			first, second = ([_toWorld(O.bodies[i].state, point) for point in side] for i, side in zip(pair, sides))
-			for one, other, state in zip(first, second, self._states[pair]):
-				if (one - other).norm() <= widest:
-					points.append(tuple(0.5 * (one + other)))
-					states.append(state)
-		return Marks(np.array(points).reshape(-1, 3), np.array(states, dtype=int))
+		one, other = (_toWorld(ids, points) for ids, points in zip(self._bodies, self._sides))
+		near = np.linalg.norm(one - other, axis=1) <= widest
+		return Marks(0.5 * (one + other)[near], np.concatenate(list(self._states.values()))[near])
 
 	def failedByMode(self):
 		"""Number of failed segments as dict: tension, shear, compression, unseen."""
@@ -91,14 +100,31 @@ class JointRecord:
 		return sum(len(states) for states in self._states.values())
 
 
-def _toBody(state, point):
-	"""A point of the world in the axes of a body [m]."""
-	return state.ori.conjugate() * (point - state.pos)
+def _toBodies(ids, points):
+	"""Points of the world (n, 3) in the axes of a body each [m]."""
+	positions, axes, w = _motion(ids)
+	return _turned(points - positions, -axes, w)
 
 
-def _toWorld(state, point):
+def _toWorld(ids, points):
 	"""The reverse."""
-	return state.pos + state.ori * point
+	positions, axes, w = _motion(ids)
+	return positions + _turned(points, axes, w)
+
+
+def _motion(ids):
+	"""Positions (n, 3) [m] of bodies, which may occur often, and their orientations as vector (n, 3) and scalar (n, 1) parts of quaternions."""
+	from yade import O
+	different, places = np.unique(ids, return_inverse=True)
+	states = [O.bodies[int(i)].state for i in different]
+	motions = np.array([(p[0], p[1], p[2], q[0], q[1], q[2], q[3]) for p, q in [(state.pos, state.ori) for state in states]])[places]
+	return motions[:, :3], motions[:, 3:6], motions[:, 6:]
+
+
+def _turned(points, axes, w):
+	"""Points turned by quaternions."""
+	twice = 2 * np.cross(axes, points)
+	return points + w * twice + np.cross(axes, twice)
 
 
 def _statesOf(interaction):
