@@ -301,17 +301,20 @@ class EnergyBalance:
 	"""
 
 	def __init__(self, masonry, ground):
-		self.ids, self.ground = masonry.ids, ground
+		self.shapes, self.ground = [body.shape for body in masonry.bodies], ground
 		self.masses = np.array([body.state.mass for body in masonry.bodies])
 		self.work, self.power, self.time = 0, 0, O.time
 		self.lowest, self.gained = math.inf, 0
 
-	def look(self):
+	def look(self, heights):
+		"""
+		:param heights: of the bricks' centres [m]
+		"""
 		power = -momentum().dot(self.ground.groundAcceleration(O.time))  # only the bricks have mass
 		self.work += 0.5 * (power + self.power) * (O.time - self.time)
 		self.power, self.time = power, O.time
-		state, heights = rest.restState(), np.array(coordsAndDisplacements(2)[0])[self.ids]
-		balance = state.kinetic + state.elastic + gravity * float(self.masses @ heights) - self.work
+		kinetic, elastic = rest.energies(self.shapes)
+		balance = kinetic + elastic + gravity * float(self.masses @ heights) - self.work
 		self.lowest = min(self.lowest, balance)
 		self.gained = max(self.gained, balance - self.lowest)
 
@@ -342,16 +345,18 @@ class Recorder:
 		now = O.time - self.start
 		self.times.append(now)
 		# of all bodies at once, axis by axis: asking brick by brick takes forty times as long
-		self.displacements.append(np.column_stack([coordsAndDisplacements(axis)[1] for axis in range(3)])[self.ids])
+		places, moved = zip(*(coordsAndDisplacements(axis) for axis in range(3)))
+		self.displacements.append(np.array(moved).T[self.ids])
 		for name, (brick, corner) in self.followed.items():
-			self.cornersMoved[name].append(snapshot.worldCorners(self.masonry.bodies[brick])[corner] - self.unloaded[brick, corner])
+			body = self.masonry.bodies[brick]
+			self.cornersMoved[name].append(snapshot.numbers(body.shape.worldCorners(body.state)[corner]) - self.unloaded[brick, corner])
 		failed = failures(self.law)
 		if failed != self.failed:  # as long as no segment has failed, joints are as they were
 			self.joints.update()
 			self.failed = failed
 		for mode, count in failed.items():
 			self.failures[mode].append(count)
-		self.energy.look()
+		self.energy.look(heights=np.array(places[2])[self.ids])
 		if self.pending and now >= self.pending[0] - 0.5 * O.dt:
 			self.pending.pop(0)
 			self.frames.append((now, snapshot.patches(self.masonry.bodies), self.joints.marks()))

@@ -26,13 +26,20 @@ class RestState:
 
 def restState():
 	"""RestState of the scene; at least one step must have been done."""
-	from yade import Brick, BrickPhys, O
-	from yade.utils import kineticEnergy, unbalancedForce
-	# One pass, and each attribute read once: every reading makes a Python object, and this is called at every look of a recording.
-	bricks = [shape for shape in [body.shape for body in O.bodies] if isinstance(shape, Brick)]
+	from yade import Brick, O
+	from yade.utils import unbalancedForce
+	return RestState(*energies([body.shape for body in O.bodies if isinstance(body.shape, Brick)]), unbalancedForce())
+
+
+def energies(bricks):
+	"""Kinetic and elastic energy of the scene [J], see RestState; of its bricks, whose shapes are given, and of their joints and contacts."""
+	from yade import BrickPhys, O
+	from yade.utils import kineticEnergy
+	kinetic = kineticEnergy() + sum([shape.kineticEnergy() for shape in bricks])
 	elastic = sum([shape.elasticEnergy() for shape in bricks])
+	# each attribute is read once: every reading makes a Python object, and recordings come here often
 	elastic += sum([phys.elasticEnergy(i.geom) for i in O.interactions.all(onlyReal=True) if isinstance(phys := i.phys, BrickPhys)])
-	return RestState(kineticEnergy() + sum([shape.kineticEnergy() for shape in bricks]), elastic, unbalancedForce())
+	return kinetic, elastic
 
 
 def isAtRest(energyRatio=1e-8, imbalance=1e-4):

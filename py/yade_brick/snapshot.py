@@ -33,8 +33,12 @@ def patches(bodies, colors=None):
 
 def worldCorners(body):
 	"""Present corners of a brick, (8, 3) [m]."""
-	# A vector of YADE is read by its numbers: to take it as a sequence, as tuple() and NumPy do, is ten times slower.
-	return np.array([(corner[0], corner[1], corner[2]) for corner in body.shape.worldCorners(body.state)])
+	return np.array([numbers(corner) for corner in body.shape.worldCorners(body.state)])
+
+
+def numbers(vector):
+	"""A vector of YADE as a tuple; tuple() and NumPy, which take it as a sequence that ends by an error, are ten times slower."""
+	return vector[0], vector[1], vector[2]
 
 
 def _chosenColor(shape):
@@ -63,7 +67,7 @@ class JointRecord:
 			if states is None:
 				continue
 			self._states[interaction.id1, interaction.id2] = states
-			places += [(point[0], point[1], point[2]) for point in interaction.phys.segmentPoints(interaction.geom)]
+			places += [numbers(point) for point in interaction.phys.segmentPoints(interaction.geom)]
 		if not self._states:
 			raise ValueError("no mortar joint found; make the record after MortarJoints()() and at least one step")
 		# of all segments, one joint after the other: the two bodies, and the place in the axes of either
@@ -117,7 +121,7 @@ def _motion(ids):
 	from yade import O
 	different, places = np.unique(ids, return_inverse=True)
 	states = [O.bodies[int(i)].state for i in different]
-	motions = np.array([(p[0], p[1], p[2], q[0], q[1], q[2], q[3]) for p, q in [(state.pos, state.ori) for state in states]])[places]
+	motions = np.array([(*numbers(state.pos), *numbers(state.ori), state.ori[3]) for state in states])[places]
 	return motions[:, :3], motions[:, 3:6], motions[:, 6:]
 
 

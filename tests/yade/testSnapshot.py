@@ -3,7 +3,7 @@
 import math, os, tempfile, unittest
 
 from yade import *
-from yade import Vector3
+from yade import Quaternion, Vector3
 import numpy as np
 from yade_brick import BrickMat, Mortar, MortarJoints, build, picture, snapshot
 
@@ -73,6 +73,16 @@ class Joints(unittest.TestCase):
 		for body in wall.bodies:
 			body.state.pos += Vector3(1, 0, 0)
 		self.assertAlmostEqual(record.marks().points[:, 0].mean(), 1.1, places=9)
+
+	def test_segments_turn_with_the_bricks(self):
+		wall = couplet()
+		record = snapshot.JointRecord()
+		before, turn = record.marks().points, Quaternion((1, 2, 3), 2)
+		for body in wall.bodies:
+			body.state.pos, body.state.ori = turn * body.state.pos, turn * body.state.ori
+		expected = [tuple(turn * Vector3(*map(float, point))) for point in before]
+		# coordinates below 1 m, round-off of some operations
+		np.testing.assert_allclose(record.marks().points, expected, atol=1e-14)
 
 	def test_wide_cracks_are_left_out(self):
 		wall = couplet()
