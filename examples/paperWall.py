@@ -329,8 +329,9 @@ class Recorder:
 	pictureShares = (0, 0.25, 0.35, 0.45, 0.6, 1)  # of the duration: the shapes in wall.png
 
 	def __init__(self, masonry, unloaded, law, duration, energy):
-		self.masonry, self.ids, self.law, self.start, self.energy = masonry, masonry.ids, law, O.time, energy
-		top = {"A": len(masonry.bodies) - len(masonry.courses[-1]), "B": len(masonry.bodies) - 1}
+		self.masonry, self.law, self.start, self.energy = masonry, law, O.time, energy
+		self.bodies, self.ids = masonry.bodies, np.array(masonry.ids)
+		top = {"A": len(self.bodies) - len(masonry.courses[-1]), "B": len(self.bodies) - 1}
 		outward = {"A": (-1, -1, 1), "B": (1, -1, 1)}
 		self.followed = {name: (brick, int((unloaded[brick] @ outward[name]).argmax())) for name, brick in top.items()}
 		self.unloaded, self.cornersMoved = unloaded, {name: [] for name in top}
@@ -348,7 +349,7 @@ class Recorder:
 		places, moved = zip(*(coordsAndDisplacements(axis) for axis in range(3)))
 		self.displacements.append(np.array(moved).T[self.ids])
 		for name, (brick, corner) in self.followed.items():
-			body = self.masonry.bodies[brick]
+			body = self.bodies[brick]
 			self.cornersMoved[name].append(snapshot.numbers(body.shape.worldCorners(body.state)[corner]) - self.unloaded[brick, corner])
 		failed = failures(self.law)
 		if failed != self.failed:  # as long as no segment has failed, joints are as they were
@@ -359,7 +360,7 @@ class Recorder:
 		self.energy.look(heights=np.array(places[2])[self.ids])
 		if self.pending and now >= self.pending[0] - 0.5 * O.dt:
 			self.pending.pop(0)
-			self.frames.append((now, snapshot.patches(self.masonry.bodies), self.joints.marks()))
+			self.frames.append((now, snapshot.patches(self.bodies), self.joints.marks()))
 
 	def lowered(self):
 		"""By how much the centre of each brick has come down since the shaking began, (times, bricks) [m]."""
