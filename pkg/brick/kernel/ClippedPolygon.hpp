@@ -10,19 +10,25 @@
 namespace brick {
 
 /// @tparam dimensions  entries of a vertex; the first three are its place
-/// @tparam cuts        how often it may be cut. A plane cut adds one vertex; a value that is not quite linear (a bulged face) up to two
+/// @tparam cuts        how often it may be cut. A cut by a plane makes two new vertices, by a value that is not quite linear (a bulged face) up to four
 template <int dimensions, int cuts> class ClippedPolygon {
 public:
 	using Vertex = Eigen::Matrix<Real, dimensions, 1>;
 
+	/// A convex quadrilateral whose vertices are still to be set.
+	ClippedPolygon()
+	        : outline { 4, 4, { 0, 1, 2, 3 } }
+	{
+	}
 	/// Starts from a convex quadrilateral.
 	ClippedPolygon(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
-	        : count(4)
+	        : ClippedPolygon()
 	{
 		vertices[0] = a, vertices[1] = b, vertices[2] = c, vertices[3] = d;
 	}
+	Vertex& vertex(int i) { return vertices[outline.order[i]]; }
 
-	bool empty() const { return count < 3; }
+	bool empty() const { return outline.count < 3; }
 
 	/// Keeps the part where the given entry is negative.
 	void keepNegative(int entry)
@@ -40,9 +46,10 @@ public:
 	Real areaAndCentroid(Vertex& centroid) const
 	{
 		centroid.setZero();
-		Real area = 0;
-		for (int i = 1; i + 1 < count; ++i) {
-			const Vertex &a = vertices[0], &b = vertices[i], &c = vertices[i + 1];
+		Real          area = 0;
+		const Vertex& a    = vertices[outline.order[0]];
+		for (int i = 1; i + 1 < outline.count; ++i) {
+			const Vertex &b = vertices[outline.order[i]], &c = vertices[outline.order[i + 1]];
 			const Real    triangle = (b - a).template head<3>().cross((c - a).template head<3>()).norm() / 2;
 			area += triangle;
 			centroid += triangle / 3 * (a + b + c);
@@ -52,24 +59,47 @@ public:
 	}
 
 private:
+	static constexpr int capacity = 4 + 4 * cuts;
+	static_assert(capacity < 128, "numbers of vertices are kept as characters");
+
+public:
+	/// Which vertices the polygon has at present. Vertices that are cut off are kept: to cut a polygon in several ways, remember its outline and go back to it.
+	struct Outline {
+		int         count, stored;
+		signed char order[capacity];
+	};
+	const Outline& present() const { return outline; }
+	void           goBackTo(const Outline& earlier)
+	{
+		outline.count = earlier.count, outline.stored = earlier.stored;
+		std::copy(earlier.order, earlier.order + earlier.count, outline.order);
+	}
+
+private:
 	/// Keeps the part where a value is negative.
 	template <class Value> void keep(Value value)
 	{
-		std::array<Vertex, capacity> kept;
-		int                          n = 0;
-		for (int i = 0; i < count && n + 2 <= capacity; ++i) {
-			const Vertex &here = vertices[i], &next = vertices[i + 1 < count ? i + 1 : 0];
-			const Real    a = value(here), b = value(next);
-			if (a < 0) kept[n++] = here;
-			if ((a < 0) != (b < 0)) kept[n++] = here + a / (a - b) * (next - here);
+		if (empty()) return;
+		Outline     kept;
+		int         n = 0, stored = outline.stored;
+		const Real  first = value(vertices[outline.order[0]]);
+		Real        a     = first;
+		for (int i = 0; i < outline.count && stored < capacity; ++i) {
+			const int  here = outline.order[i], next = outline.order[i + 1 < outline.count ? i + 1 : 0];
+			const Real b = i + 1 < outline.count ? value(vertices[next]) : first;
+			if (a < 0) kept.order[n++] = here;
+			if ((a < 0) != (b < 0)) {
+				vertices[stored] = vertices[here] + a / (a - b) * (vertices[next] - vertices[here]);
+				kept.order[n++]  = stored++;
+			}
+			a = b;
 		}
-		std::copy(kept.begin(), kept.begin() + n, vertices.begin());
-		count = n;
+		kept.count = n, kept.stored = stored;
+		goBackTo(kept);
 	}
 
-	static constexpr int         capacity = 4 + 2 * cuts;
 	std::array<Vertex, capacity> vertices;
-	int                          count;
+	Outline                      outline;
 };
 
 } // namespace brick

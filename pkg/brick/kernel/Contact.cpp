@@ -1,284 +1,265 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Forces of the spots that findContact has found (ContactSearch.cpp), eight spots of a pair of faces at a time.
 #include "Contact.hpp"
 
-#include "ClippedPolygon.hpp"
+#include "Lanes.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace brick {
 
 namespace {
 
-	// vertex: place in the other body's frame, natural coordinates on the owner's face, height over each face of the other body
-	constexpr int naturalEntry = 3, heightEntry = 5;
-	using Patch   = ClippedPolygon<11, 2 * faceCount>;
-	using Heights = Eigen::Matrix<Real, faceCount, 1>;
+	/// Three components of a vector.
+	struct Vectors {
+		Lanes                     x[3];
+		BRICK_INLINE Lanes&       operator[](int i) { return x[i]; }
+		BRICK_INLINE const Lanes& operator[](int i) const { return x[i]; }
+	};
+	BRICK_INLINE Lanes dot(const Vectors& a, const Vector3r& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+	BRICK_INLINE Lanes lengthOf(const Vectors& a) { return root(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
 
-	/// Where a segment can press on several faces of the other body, it is divided into the parts nearest to each, unless it is nearly perpendicular to one:
-	/// that one's part would press with the square of this cosine, and stacked bricks that lean a little would have the segments at their rims divided for nothing.
-	constexpr Real leastCosine = .02;
+	/// Coulomb's limit: what a vector of this length has to be multiplied with.
+	BRICK_INLINE Lanes shortening(const Lanes& length, const Lanes& largest) { return length > largest ? largest / length : allLanes(1.); }
 
-	int keyOf(int owner, int face, int segment, int otherFace)
-	{
-		return ((owner * faceCount + face) * largestSegments * largestSegments + segment) * faceCount + otherFace;
-	}
+	/// The owner of spots and the other body, in whose axes and about whose position everything is computed.
+	struct OwnerAndOther {
+		const Side &owner, &other;
+		Matrix3r    turn;     ///< owner's axes to the other's
+		Vector3r    offset;   ///< from the owner's position to the other's
+		Vector3r    velocity; ///< of the owner's rigid motion at the other's position, relative to the other's
+		Vector3r    spin;     ///< relative angular velocity
 
-	/// The owner's corners in the other body's frame, and the planes of that body.
-	class View {
-	public:
-		View(const Side& owner, const Side& other)
+		OwnerAndOther(const Side& owner, const Side& other)
 		        : owner(owner)
 		        , other(other)
-		        , turn(other.placement.rotation.transpose() * owner.placement.rotation)
 		{
-			const Vector3r offset = other.placement.rotation.transpose() * (owner.placement.position - other.placement.position);
-			for (int a = 0; a < nodeCount; ++a) {
-				Vector3r x = owner.solid->corners[a];
-				if (owner.placement.displacement) x += owner.placement.displacement[a];
-				corners[a] = offset + turn * x;
-			}
-			for (int f = 0; f < faceCount; ++f) {
-				const Face& face = other.solid->faces[f];
-				meanOffset[f] = highestOffset[f] = face.offset;
-				if (!other.placement.displacement) continue;
-				for (int a = 0; a < 4; ++a)
-					faceBulge[f][a] = face.normal.dot(other.placement.displacement[faceNodes[f][a]]);
-				meanOffset[f] += faceBulge[f].mean();
-				highestOffset[f] += faceBulge[f].maxCoeff();
-			}
+			const Placement &mine = owner.placement, &its = other.placement;
+			const Matrix3r   toOther = its.rotation.transpose();
+			const Vector3r   between = its.position - mine.position;
+			turn                     = toOther * mine.rotation;
+			offset                   = toOther * between;
+			velocity                 = toOther * (mine.velocity + mine.angularVelocity.cross(between) - its.velocity);
+			spin                     = toOther * (mine.angularVelocity - its.angularVelocity);
 		}
-
-		/// Some face of the other body has all corners of the owner outside.
-		bool apart() const
-		{
-			for (int f = 0; f < faceCount; ++f) {
-				bool outside = true;
-				for (int a = 0; a < nodeCount && outside; ++a)
-					outside = other.solid->faces[f].normal.dot(corners[a]) >= highestOffset[f];
-				if (outside) return true;
-			}
-			return false;
-		}
-
-		/// How far the surface of a deformed face stands above its mean plane, near a point.
-		Real bulge(int f, const Vector3r& x) const
-		{
-			const Face&    target  = other.solid->faces[f];
-			const Vector2r natural = target.coordinates(x);
-			const Vector4r weights = bilinear(natural[0], natural[1]);
-			Real           out     = target.offset - meanOffset[f];
-			for (int a = 0; a < 4; ++a)
-				out += weights[a] * faceBulge[f][a];
-			return out;
-		}
-
-		const Side &                owner, &other;
-		const Matrix3r              turn; ///< owner's axes to the other body's
-		Nodes                       corners;
-		std::array<Real, faceCount> meanOffset, highestOffset;
-		Vector4r                    faceBulge[faceCount]; ///< of the corners of each face along its normal; only of deformable bodies
 	};
 
-	/// One face of the owner against the other body.
-	class FaceSearch {
-	public:
-		FaceSearch(const View& view, int ownerIndex, int face, Real weight)
-		        : view(view)
-		        , ownerIndex(ownerIndex)
-		        , face(face)
-		        , weight(weight)
+	/// Velocities that the deformation gives to a face: coefficients of bilinear fields.
+	struct RateField {
+		bool          any = false;
+		BilinearField component[3];
+
+		RateField(const Placement& at, int face)
+		        : any(at.displacementRate)
 		{
-			const Vector3r normal = view.turn * view.owner.solid->faces[face].normal;
-			for (int f = 0; f < faceCount; ++f) {
-				const Face& target = view.other.solid->faces[f];
-				cosine[f]          = -normal.dot(target.normal);
-				for (int a = 0; a < 4; ++a)
-					cornerHeights[a][f] = target.normal.dot(view.corners[faceNodes[face][a]]) - view.meanOffset[f];
+			if (!any) return;
+			const auto&     n = faceNodes[face];
+			const Vector3r* v = at.displacementRate;
+			for (int i = 0; i < 3; ++i)
+				component[i] = BilinearField::of(v[n[0]][i], v[n[1]][i], v[n[2]][i], v[n[3]][i]);
+		}
+		void turn(const Matrix3r& rotation)
+		{
+			for (int c = 0; c < 4 && any; ++c) {
+				const Vector3r v = rotation * Vector3r(component[0].c[c], component[1].c[c], component[2].c[c]);
+				for (int i = 0; i < 3; ++i)
+					component[i].c[c] = v[i];
 			}
 		}
-
-		void run(std::vector<ContactSpot>& spots)
-		{
-			if (!canTouch()) return;
-			const int n = view.owner.segments;
-			// two rows of grid vertices at a time
-			std::array<std::array<Patch::Vertex, largestSegments + 1>, 2> rows;
-			fillRow(0, rows[0]);
-			for (int row = 0; row < n; ++row) {
-				auto &below = rows[row % 2], &above = rows[(row + 1) % 2];
-				fillRow(row + 1, above);
-				for (int column = 0; column < n; ++column)
-					addSpot(row * n + column, below[column], below[column + 1], above[column + 1], above[column], spots);
-			}
-		}
-
-	private:
-		/// Cheap refusal, by the corners alone: entirely beyond a face of the other body, or everywhere nearer to a face that it cannot press on.
-		/// Finds out which faces could be the nearest, whose bulging matters.
-		bool canTouch()
-		{
-			constexpr Real unbounded = std::numeric_limits<Real>::infinity();
-			Heights        least, most;
-			for (int f = 0; f < faceCount; ++f) {
-				Real lowest = unbounded, highest = -unbounded;
-				for (int a = 0; a < 4; ++a)
-					lowest = std::min(lowest, cornerHeights[a][f]), highest = std::max(highest, cornerHeights[a][f]);
-				const Real bulging = view.highestOffset[f] - view.meanOffset[f];
-				least[f] = -highest, most[f] = bulging - lowest; // depths
-				if (most[f] <= 0) return false;
-			}
-			Real shallowestTouchable = unbounded, deepestElsewhere = unbounded;
-			for (int f = 0; f < faceCount; ++f)
-				if (cosine[f] > 0) shallowestTouchable = std::min(shallowestTouchable, least[f]);
-				else
-					deepestElsewhere = std::min(deepestElsewhere, most[f]);
-			if (shallowestTouchable > deepestElsewhere) return false;
-			for (int f = 0; f < faceCount; ++f)
-				bulges[f] = view.other.placement.displacement && cosine[f] > 0 && least[f] <= most.minCoeff();
-			return true;
-		}
-
-		void fillRow(int row, std::array<Patch::Vertex, largestSegments + 1>& out) const
-		{
-			const int n = view.owner.segments;
-			for (int column = 0; column <= n; ++column) {
-				const Real     xi = 2. * column / n - 1, eta = 2. * row / n - 1;
-				const Vector4r w       = bilinear(xi, eta);
-				Vector3r       x       = Vector3r::Zero();
-				Heights        heights = Heights::Zero();
-				for (int a = 0; a < 4; ++a)
-					x += w[a] * view.corners[faceNodes[face][a]], heights += w[a] * cornerHeights[a];
-				for (int f = 0; f < faceCount; ++f)
-					if (bulges[f]) heights[f] -= view.bulge(f, x);
-				out[column] << x, xi, eta, heights;
-			}
-		}
-
-		void
-		addSpot(int                       segment,
-		        const Patch::Vertex&      a,
-		        const Patch::Vertex&      b,
-		        const Patch::Vertex&      c,
-		        const Patch::Vertex&      d,
-		        std::vector<ContactSpot>& spots) const
-		{
-			const Heights highest = a.tail<faceCount>().cwiseMax(b.tail<faceCount>()).cwiseMax(c.tail<faceCount>()).cwiseMax(d.tail<faceCount>());
-			const Heights lowest  = a.tail<faceCount>().cwiseMin(b.tail<faceCount>()).cwiseMin(c.tail<faceCount>()).cwiseMin(d.tail<faceCount>());
-			if (lowest.maxCoeff() >= 0) return;
-			Patch patch(a, b, c, d);
-			for (int f = 0; f < faceCount && !patch.empty(); ++f)
-				if (highest[f] >= 0) patch.keepNegative(heightEntry + f);
-			if (patch.empty()) return;
-			std::array<int, faceCount> nearest;
-			const int                  count = nearestFaces(lowest, highest, nearest);
-			if (count < 2) {
-				addPart(segment, patch, anyFace, spots);
-				return;
-			}
-			for (int i = 0; i < count; ++i) {
-				Patch part = patch;
-				for (int j = 0; j < count && !part.empty(); ++j)
-					if (j != i) part.keepAbove(heightEntry + nearest[i], heightEntry + nearest[j]);
-				if (!part.empty()) addPart(segment, part, nearest[i], spots);
-			}
-		}
-
-		/// The faces of the other body that can be pressed on and could be the nearest to some part of a segment, from its corners' heights.
-		int nearestFaces(const Heights& lowest, const Heights& highest, std::array<int, faceCount>& out) const
-		{
-			const Real least = lowest.maxCoeff();
-			int        count = 0;
-			for (int f = 0; f < faceCount; ++f)
-				if (cosine[f] > leastCosine && highest[f] > least) out[count++] = f;
-			return count;
-		}
-
-		/// @param expected the nearest face, otherwise there is no spot; or anyFace
-		void addPart(int segment, const Patch& patch, int expected, std::vector<ContactSpot>& spots) const
-		{
-			Patch::Vertex centre;
-			const Real    area = patch.areaAndCentroid(centre);
-			int           nearest;
-			const Real    penetration = -centre.tail<faceCount>().maxCoeff(&nearest);
-			if (!(area > 0) || !(penetration > 0) || cosine[nearest] <= 0) return;
-			if (expected != anyFace && nearest != expected) return;
-
-			ContactSpot spot;
-			spot.key              = keyOf(ownerIndex, face, segment, nearest);
-			spot.owner            = ownerIndex;
-			spot.ownerFace        = face;
-			spot.otherFace        = nearest;
-			spot.position         = centre.head<3>();
-			const Face&    target = view.other.solid->faces[nearest];
-			const Vector2r at     = target.coordinates(spot.position);
-			spot.ownerWeights     = bilinear(centre[naturalEntry], centre[naturalEntry + 1]);
-			spot.otherWeights     = bilinear(at[0], at[1]);
-			spot.normal           = target.normal;
-			spot.penetration      = penetration;
-			spot.area             = weight * cosine[nearest] * area;
-			spots.push_back(spot);
-		}
-
-		static constexpr int anyFace = -1;
-
-		const View&                 view;
-		int                         ownerIndex, face;
-		Real                        weight;
-		Heights                     cosine;           ///< between the owner's inward normal and the outward normal of each face of the other body
-		Heights                     cornerHeights[4]; ///< over the mean planes of the other body's faces
-		std::array<bool, faceCount> bulges;           ///< faces of the other body whose bulging matters
 	};
 
-	void searchSide(const View& view, int ownerIndex, Real weight, std::vector<ContactSpot>& spots)
-	{
-		if (view.owner.support) return;
-		for (int face = 0; face < faceCount; ++face)
-			FaceSearch(view, ownerIndex, face, weight).run(spots);
-	}
+	/// Spots of the same two faces.
+	struct Run {
+		const OwnerAndOther& bodies;
+		const ContactSpot*   spots;
+		int                  count;
+		SpotSprings          springs;
+		Real                 tanFriction, dt;
+		Vector3r             normal;
+		RateField            ownerRate, otherRate;
 
-} // namespace
-
-void findContact(const Side& side0, const Side& side1, std::vector<ContactSpot>& spots)
-{
-	spots.clear();
-	const View view0(side0, side1), view1(side1, side0);
-	if (view0.apart() || view1.apart()) return;
-	const Real weight = side0.support || side1.support ? 1 : .5;
-	searchSide(view0, 0, weight, spots);
-	searchSide(view1, 1, weight, spots);
-}
-
-namespace {
-
-	/// Velocity of a point of a body, world axes; x from the body's position, world axes.
-	Vector3r pointVelocity(const Placement& at, const Vector3r& x, int face, const Vector4r& weights)
-	{
-		Vector3r v = at.velocity + at.angularVelocity.cross(x);
-		if (at.displacementRate) {
-			Vector3r rate = Vector3r::Zero();
-			for (int a = 0; a < 4; ++a)
-				rate += weights[a] * at.displacementRate[faceNodes[face][a]];
-			v += at.rotation * rate;
+		Run(const OwnerAndOther& bodies, const ContactSpot* spots, int count, const SpotSprings& springs, Real tanFriction, Real dt)
+		        : bodies(bodies)
+		        , spots(spots)
+		        , count(count)
+		        , springs(springs)
+		        , tanFriction(tanFriction)
+		        , dt(dt)
+		        , normal(bodies.other.solid->faces[spots->otherFace].normal)
+		        , ownerRate(bodies.owner.placement, spots->ownerFace)
+		        , otherRate(bodies.other.placement, spots->otherFace)
+		{
+			ownerRate.turn(bodies.turn);
 		}
-		return v;
+	};
+
+	/// Sums over a run; forces on the owner.
+	struct RunSums {
+		Lanes force[3] {}, torque[3] {};           ///< about the other's position
+		Lanes onOwner[3][3] {}, onOther[3][3] {};  ///< moments of the force with xi, eta, xi eta of either face
+		Lanes area {}, pressed {}, place[3] {};    ///< sums of area, area times pressure, area times place
+		Lanes deepest {};
+	};
+
+	/// Eight spots of a run; beyond its end the last one again, without area.
+	struct SpotLanes {
+		Lanes   area, penetration, xi, eta, p, q;
+		Vectors x;
+
+		BRICK_INLINE SpotLanes(const Run& run, int first)
+		{
+			for (int i = 0; i < lanes; ++i) {
+				const ContactSpot& spot = run.spots[std::min(first + i, run.count - 1)];
+				area[i] = spot.area, penetration[i] = spot.penetration;
+				xi[i] = spot.ownerNatural[0], eta[i] = spot.ownerNatural[1], p[i] = spot.otherNatural[0], q[i] = spot.otherNatural[1];
+				x[0][i] = spot.position[0], x[1][i] = spot.position[1], x[2][i] = spot.position[2];
+			}
+			area = laneNumbers < allLanes((long long)run.count - first) ? area : Lanes {};
+		}
+	};
+
+	/// Velocity of the owner at the spots relative to the other body.
+	BRICK_INLINE Vectors relativeVelocity(const Run& run, const SpotLanes& s)
+	{
+		const Vector3r &v = run.bodies.velocity, &w = run.bodies.spin;
+		Vectors         out;
+		for (int i = 0; i < 3; ++i) {
+			const int j = (i + 1) % 3, k = (i + 2) % 3;
+			out[i] = v[i] + (w[j] * s.x[k] - w[k] * s.x[j]);
+			if (run.ownerRate.any) out[i] += run.ownerRate.component[i].at(s.xi, s.eta);
+			if (run.otherRate.any) out[i] -= run.otherRate.component[i].at(s.p, s.q);
+		}
+		return out;
 	}
 
-	void addForce(Loads& loads, const Placement& at, const Vector3r& force, const Vector3r& x, int face, const Vector4r& weights)
+	/// What friction holds, from the tractions of the step before (owner's axes), which are replaced by the present ones.
+	BRICK_INLINE Vectors elasticShear(const Run& run, const Vectors& sliding, const Lanes& limit, Vector3r* tractions, int count)
 	{
-		loads.force += force;
-		loads.torque += x.cross(force);
-		const Vector3r local = at.rotation.transpose() * force;
-		for (int a = 0; a < 4; ++a)
-			loads.nodal[faceNodes[face][a]] += weights[a] * local;
+		const Matrix3r& turn = run.bodies.turn;
+		Vectors         was, tau;
+		for (int lane = 0; lane < lanes; ++lane) {
+			const Vector3r& from = tractions[std::min(lane, count - 1)];
+			was[0][lane] = from[0], was[1][lane] = from[1], was[2][lane] = from[2];
+		}
+		for (int i = 0; i < 3; ++i)
+			tau[i] = turn(i, 0) * was[0] + turn(i, 1) * was[1] + turn(i, 2) * was[2];
+		const Lanes along = dot(tau, run.normal);
+		for (int i = 0; i < 3; ++i)
+			tau[i] = (tau[i] - along * run.normal[i]) - run.springs.shear * run.dt * sliding[i];
+		const Lanes held = shortening(lengthOf(tau), limit);
+		for (int i = 0; i < 3; ++i)
+			tau[i] *= held;
+		for (int i = 0; i < 3; ++i)
+			was[i] = turn(0, i) * tau[0] + turn(1, i) * tau[1] + turn(2, i) * tau[2];
+		for (int lane = 0; lane < std::min(lanes, count); ++lane)
+			tractions[lane] = { was[0][lane], was[1][lane], was[2][lane] };
+		return tau;
 	}
 
-	Vector3r remembered(const ContactMemory& memory, std::size_t& cursor, int key)
+	BRICK_INLINE void addGroup(const Run& run, int first, Vector3r* tractions, RunSums& sums)
 	{
-		while (cursor < memory.size() && memory.keys[cursor] < key)
-			++cursor;
-		return cursor < memory.size() && memory.keys[cursor] == key ? memory.tractions[cursor] : Vector3r(Vector3r::Zero());
+		const SpotLanes s(run, first);
+		const Vectors   velocity = relativeVelocity(run, s);
+		const Lanes     leaving  = dot(velocity, run.normal);
+		Vectors         sliding;
+		for (int i = 0; i < 3; ++i)
+			sliding[i] = velocity[i] - leaving * run.normal[i];
+		const Lanes pressure = greater(run.springs.normal * s.penetration - run.springs.normalDashpot * leaving, Lanes {}), limit = pressure * run.tanFriction;
+
+		Vectors shear = elasticShear(run, sliding, limit, tractions + first, run.count - first);
+		for (int i = 0; i < 3; ++i)
+			shear[i] -= run.springs.shearDashpot * sliding[i];
+		const Lanes kept = shortening(lengthOf(shear), limit), xiEta = s.xi * s.eta, pq = s.p * s.q;
+
+		Vectors force;
+		for (int i = 0; i < 3; ++i) {
+			force[i] = s.area * (pressure * run.normal[i] + shear[i] * kept);
+			sums.force[i] += force[i];
+			sums.onOwner[i][0] += s.xi * force[i], sums.onOwner[i][1] += s.eta * force[i], sums.onOwner[i][2] += xiEta * force[i];
+			sums.onOther[i][0] += s.p * force[i], sums.onOther[i][1] += s.q * force[i], sums.onOther[i][2] += pq * force[i];
+			sums.place[i] += s.area * s.x[i];
+		}
+		for (int i = 0; i < 3; ++i) {
+			const int j = (i + 1) % 3, k = (i + 2) % 3;
+			sums.torque[i] += s.x[j] * force[k] - s.x[k] * force[j];
+		}
+		sums.area += s.area, sums.pressed += s.area * pressure;
+		sums.deepest = greater(sums.deepest, s.penetration);
 	}
+
+	BRICK_ANY_INSTRUCTION_SET
+	void addGroups(const Run& run, Vector3r* tractions, RunSums& sums)
+	{
+		RunSums local;
+		for (int first = 0; first < run.count; first += lanes)
+			addGroup(run, first, tractions, local);
+		sums = local;
+	}
+
+	Vector3r sumOf(const Lanes (&x)[3]) { return { brick::sumOf(x[0]), brick::sumOf(x[1]), brick::sumOf(x[2]) }; }
+
+	/// Nodal forces from a force and its moments, weighted by sign.
+	void addNodal(Loads& loads, int face, const Vector3r& force, const Lanes (&moments)[3][3], Real sign, const Matrix3r* toBody)
+	{
+		Vector3r m[3];
+		for (int c = 0; c < 3; ++c)
+			m[c] = { brick::sumOf(moments[0][c]), brick::sumOf(moments[1][c]), brick::sumOf(moments[2][c]) };
+		for (int a = 0; a < 4; ++a) {
+			const Real     xi = a == 1 || a == 2 ? 1 : -1, eta = a >= 2 ? 1 : -1;
+			const Vector3r f  = sign / 4 * ((force + xi * m[0]) + (eta * m[1] + xi * eta * m[2]));
+			loads.nodal[faceNodes[face][a]] += toBody ? Vector3r(toBody->transpose() * f) : f;
+		}
+	}
+
+	/// Of all spots with one owner, in the other's axes.
+	struct OwnerSums {
+		Vector3r force { Vector3r::Zero() }, torque { Vector3r::Zero() }, normal { Vector3r::Zero() }, pressed { Vector3r::Zero() }, place { Vector3r::Zero() };
+		Real     area = 0;
+	};
+
+	void addRun(const Run& run, const RunSums& lane, Loads& onOwner, Loads& onOther, OwnerSums& sums, PairSummary& pair)
+	{
+		const Vector3r force = sumOf(lane.force);
+		const Real     area  = brick::sumOf(lane.area);
+		addNodal(onOwner, run.spots->ownerFace, force, lane.onOwner, 1, &run.bodies.turn);
+		addNodal(onOther, run.spots->otherFace, force, lane.onOther, -1, nullptr);
+		sums.force += force, sums.torque += sumOf(lane.torque), sums.place += sumOf(lane.place), sums.area += area;
+		sums.normal += area * run.normal, sums.pressed += brick::sumOf(lane.pressed) * run.normal;
+		pair.kn += area * run.springs.normal, pair.ks += area * run.springs.shear, pair.area += area;
+		pair.penetration = std::max(pair.penetration, mostOf(lane.deepest));
+	}
+
+	/// To world axes, once.
+	void addOwner(const OwnerAndOther& bodies, bool ownerIsFirst, const OwnerSums& sums, Loads& onOwner, Loads& onOther, PairSummary& pair)
+	{
+		const Matrix3r& axes  = bodies.other.placement.rotation;
+		const Vector3r  force = axes * sums.force;
+		onOwner.force += force, onOther.force -= force;
+		onOwner.torque += axes * (sums.torque + bodies.offset.cross(sums.force)), onOther.torque -= axes * sums.torque;
+		const Real towards1 = ownerIsFirst ? -1 : 1; // of the other's normal
+		pair.normal += towards1 * (axes * sums.normal), pair.normalForce += towards1 * (axes * sums.pressed);
+		pair.point += axes * (ownerIsFirst ? Vector3r(sums.place + sums.area * bodies.offset) : sums.place);
+	}
+
+	/// The tractions of the step before, spot by spot; zero where there was none.
+	void recall(const ContactMemory& memory, const std::vector<ContactSpot>& spots, ContactMemory& out)
+	{
+		out.keys.resize(spots.size());
+		out.tractions.resize(spots.size());
+		std::size_t cursor = 0;
+		for (std::size_t i = 0; i < spots.size(); ++i) {
+			const int key = spots[i].key;
+			while (cursor < memory.size() && memory.keys[cursor] < key)
+				++cursor;
+			out.keys[i] = key;
+			if (cursor < memory.size() && memory.keys[cursor] == key) out.tractions[i] = memory.tractions[cursor];
+			else
+				out.tractions[i].setZero();
+		}
+	}
+
+	bool sameFaces(const ContactSpot& a, const ContactSpot& b) { return a.owner == b.owner && a.ownerFace == b.ownerFace && a.otherFace == b.otherFace; }
 
 } // namespace
 
@@ -299,44 +280,25 @@ void contactLoads(
         std::array<Loads, 2>&           loads,
         PairSummary&                    sum)
 {
-	const std::array<const Side*, 2> sides { &side0, &side1 };
 	loads = { Loads(), Loads() };
-	scratch.clear();
-	std::size_t cursor = 0;
-	for (const auto& spot : spots) {
-		const Side &      owner = *sides[spot.owner], &other = *sides[!spot.owner];
-		const Placement & mine = owner.placement, &its = other.placement;
-		const Vector3r    n       = its.rotation * spot.normal;
-		const Vector3r    fromIts = its.rotation * spot.position, fromMine = fromIts + (its.position - mine.position);
-		const SpotSprings k = springsOf(spot, side0, side1, pair);
-
-		const Vector3r velocity
-		        = pointVelocity(mine, fromMine, spot.ownerFace, spot.ownerWeights) - pointVelocity(its, fromIts, spot.otherFace, spot.otherWeights);
-		const Real     leaving  = velocity.dot(n);
-		const Vector3r sliding  = velocity - leaving * n;
-		const Real     pressure = std::max(0., k.normal * spot.penetration - k.normalDashpot * leaving);
-
-		Vector3r tau = mine.rotation * remembered(memory, cursor, spot.key);
-		tau -= n * n.dot(tau);
-		tau = limited(tau - k.shear * dt * sliding, pressure * pair.tanFriction);
-		scratch.keys.push_back(spot.key);
-		scratch.tractions.push_back(mine.rotation.transpose() * tau);
-		const Vector3r shear = limited(tau - k.shearDashpot * sliding, pressure * pair.tanFriction);
-
-		const Vector3r force = spot.area * (pressure * n + shear);
-		addForce(loads[spot.owner], mine, force, fromMine, spot.ownerFace, spot.ownerWeights);
-		addForce(loads[!spot.owner], its, -force, fromIts, spot.otherFace, spot.otherWeights);
-
-		const Real towards1 = spot.owner == 0 ? -1 : 1; // of n
-		sum.normal += towards1 * spot.area * n;
-		sum.normalForce += towards1 * spot.area * pressure * n;
-		sum.point += spot.area * (spot.owner == 0 ? fromMine : fromIts);
-		sum.kn += spot.area * k.normal;
-		sum.ks += spot.area * k.shear;
-		sum.area += spot.area;
-		sum.penetration = std::max(sum.penetration, spot.penetration);
-	}
+	recall(memory, spots, scratch);
 	std::swap(memory, scratch);
+	for (std::size_t first = 0; first < spots.size();) {
+		const int           owner = spots[first].owner;
+		const OwnerAndOther bodies(owner == 0 ? side0 : side1, owner == 0 ? side1 : side0);
+		OwnerSums           sums;
+		while (first < spots.size() && spots[first].owner == owner) {
+			std::size_t end = first + 1;
+			while (end < spots.size() && sameFaces(spots[first], spots[end]))
+				++end;
+			const Run run(bodies, &spots[first], int(end - first), springsOf(spots[first], side0, side1, pair), pair.tanFriction, dt);
+			RunSums   lane;
+			addGroups(run, &memory.tractions[first], lane);
+			addRun(run, lane, loads[owner], loads[!owner], sums, sum);
+			first = end;
+		}
+		addOwner(bodies, owner == 0, sums, loads[owner], loads[!owner], sum);
+	}
 	sum.shearForce = loads[1].force - sum.normalForce;
 	if (sum.area > 0) sum.point /= sum.area;
 	if (sum.normal.norm() > 0) sum.normal.normalize();
@@ -344,11 +306,12 @@ void contactLoads(
 
 Real contactEnergy(const Side& side0, const Side& side1, const std::vector<ContactSpot>& spots, const PairSprings& pair, const ContactMemory& memory)
 {
-	Real        energy = 0;
-	std::size_t cursor = 0;
-	for (const auto& spot : spots) {
-		const SpotSprings k = springsOf(spot, side0, side1, pair);
-		energy += spot.area / 2 * (k.normal * spot.penetration * spot.penetration + remembered(memory, cursor, spot.key).squaredNorm() / k.shear);
+	ContactMemory recalled;
+	recall(memory, spots, recalled);
+	Real energy = 0;
+	for (std::size_t i = 0; i < spots.size(); ++i) {
+		const SpotSprings k = springsOf(spots[i], side0, side1, pair);
+		energy += spots[i].area / 2 * (k.normal * spots[i].penetration * spots[i].penetration + recalled.tractions[i].squaredNorm() / k.shear);
 	}
 	return energy;
 }
@@ -386,7 +349,7 @@ ContactMemory tractionsOfJoint(const Joint& joint, const JointMotion& motion, Re
 				if ((x - centre).squaredNorm() < distance) distance = (x - centre).squaredNorm(), nearest = i;
 			}
 			const Vector3r onSide0 = segmentTraction(joint, nearest, motion, tanFriction).shear;
-			memory.keys.push_back(keyOf(s, jointFace.face, cell, otherFace));
+			memory.keys.push_back(contactKey(s, jointFace.face, otherFace, cell));
 			memory.tractions.push_back(s == 0 ? onSide0 : Vector3r(-(motion.turn.transpose() * onSide0)));
 		}
 	}

@@ -15,6 +15,7 @@
 #include "Joint.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace brick {
@@ -24,15 +25,19 @@ constexpr int largestSegments = 64;
 
 /// One spot of contact. Frame: body axes of the other body, origin at its position.
 struct ContactSpot {
-	int      key; ///< of owner, face, segment and the other's face: the same in every step; spots are sorted by it
-	int      owner;
-	int      ownerFace, otherFace;
-	Vector4r ownerWeights, otherWeights; ///< of the faces' nodes
-	Vector3r position;                   ///< [m]
-	Vector3r normal;                     ///< outward from the other body
-	Real     penetration;                ///< [m]
-	Real     area;                       ///< footprint times weight [m2]
+	int          key; ///< of owner, the two faces and the segment: the same in every step; spots are sorted by it
+	std::uint8_t owner, ownerFace, otherFace;
+	Vector2r     ownerNatural, otherNatural; ///< coordinates on the faces
+	Vector3r     position;                   ///< [m]
+	Real         penetration;                ///< [m]
+	Real         area;                       ///< footprint times weight [m2]
 };
+
+/// Spots of a pair of faces come one after the other, by segment.
+inline int contactKey(int owner, int ownerFace, int otherFace, int segment)
+{
+	return ((owner * faceCount + ownerFace) * faceCount + otherFace) * largestSegments * largestSegments + segment;
+}
 
 /// Spots of contact between two bodies; the vector is cleared first and only grows when it has to. Bodies between which a face plane passes are told apart
 /// by their corners alone.

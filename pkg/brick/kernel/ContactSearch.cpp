@@ -1,0 +1,529 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Spots of contact. Faces that cannot touch are refused by their corners; of the others only the rows and columns near the overlap are looked at, eight cells
+// at a time. Most cells lie inside the other body as a whole and have one nearest face: their spots follow in closed form; the others are cut as polygons.
+#include "ClippedPolygon.hpp"
+#include "Contact.hpp"
+#include "Lanes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace brick {
+
+namespace {
+
+	constexpr Real unbounded = std::numeric_limits<Real>::infinity();
+
+	/// Where a segment can press on several faces of the other body, it is divided into the parts nearest to each, unless it is nearly perpendicular to one:
+	/// that one's part would press with the square of this cosine, and stacked bricks that lean a little would have the segments at their rims divided for nothing.
+	constexpr Real leastCosine = .02;
+
+	Vector3r displacementOf(const Placement& at, int node) { return at.displacement ? at.displacement[node] : Vector3r(Vector3r::Zero()); }
+
+	/// The face of `a` that the middle of `b` is farthest beyond has all of b's corners outside: so most pairs that do not touch are told, at little cost.
+	bool isBeyondOneFace(const Side& a, const Side& b)
+	{
+		const Vector3r offset = a.placement.rotation.transpose() * (b.placement.position - a.placement.position);
+		int            likely = 0;
+		Real           height = -unbounded;
+		for (int f = 0; f < faceCount; ++f) {
+			const Real h = a.solid->faces[f].normal.dot(offset) - a.solid->faces[f].offset;
+			if (h > height) height = h, likely = f;
+		}
+		const Face& face    = a.solid->faces[likely];
+		Real        highest = 0;
+		if (a.placement.displacement) {
+			highest = -unbounded;
+			for (int node : faceNodes[likely])
+				highest = std::max(highest, face.normal.dot(a.placement.displacement[node]));
+		}
+		const Vector3r normal = b.placement.rotation.transpose() * (a.placement.rotation * face.normal);
+		Real           lowest = unbounded;
+		for (int node = 0; node < nodeCount; ++node)
+			lowest = std::min(lowest, normal.dot(b.solid->corners[node] + displacementOf(b.placement, node)));
+		return height + lowest >= highest;
+	}
+
+	/// The owner's corners in the other body's frame, and the faces of that body; a lane for each face. Lanes that are no face are infinitely far above.
+	struct View {
+		View(const Side& owner, const Side& other);
+
+		/// Some face of the other body has all corners of the owner outside.
+		bool apart() const
+		{
+			Lanes lowest = cornerHeights[0];
+			for (int a = 1; a < nodeCount; ++a)
+				lowest = lesser(lowest, cornerHeights[a]);
+			return bitsOf(lowest >= highestBulge) != 0;
+		}
+
+		const Side &  owner, &other;
+		Matrix3r      turn; ///< owner's axes to the other body's
+		Real          corners[nodeCount][3];
+		Lanes         cornerHeights[nodeCount]; ///< over the mean planes of the faces
+		Lanes         normal[3];
+		Lanes         highestBulge, lowestBulge; ///< of each face over its mean plane
+		BilinearField bulge[faceCount];          ///< only of deformable bodies
+
+	private:
+		void lookAtFaces(Lanes& meanOffset);
+	};
+
+	View::View(const Side& owner, const Side& other)
+	        : owner(owner)
+	        , other(other)
+	        , turn(other.placement.rotation.transpose() * owner.placement.rotation)
+	{
+		Lanes meanOffset = allLanes(unbounded);
+		lookAtFaces(meanOffset);
+		const Vector3r offset = other.placement.rotation.transpose() * (owner.placement.position - other.placement.position);
+		for (int a = 0; a < nodeCount; ++a) {
+			const Vector3r x = offset + turn * (owner.solid->corners[a] + displacementOf(owner.placement, a));
+			for (int i = 0; i < 3; ++i)
+				corners[a][i] = x[i];
+			cornerHeights[a] = (normal[0] * x[0] + normal[1] * x[1] + normal[2] * x[2]) - meanOffset;
+		}
+	}
+
+	void View::lookAtFaces(Lanes& meanOffset)
+	{
+		normal[0] = normal[1] = normal[2] = highestBulge = lowestBulge = Lanes {};
+		for (int f = 0; f < faceCount; ++f) {
+			const Face& face = other.solid->faces[f];
+			for (int i = 0; i < 3; ++i)
+				normal[i][f] = face.normal[i];
+			meanOffset[f] = face.offset;
+			if (!other.placement.displacement) continue;
+			Real up[4];
+			for (int a = 0; a < 4; ++a)
+				up[a] = face.normal.dot(other.placement.displacement[faceNodes[f][a]]);
+			bulge[f]        = BilinearField::of(up[0], up[1], up[2], up[3]);
+			const Real mean = bulge[f].c[0];
+			bulge[f].c[0]   = 0;
+			meanOffset[f] += mean;
+			highestBulge[f] = std::max(std::max(up[0], up[1]), std::max(up[2], up[3])) - mean;
+			lowestBulge[f]  = std::min(std::min(up[0], up[1]), std::min(up[2], up[3])) - mean;
+		}
+	}
+
+	/// Natural coordinates on a face, as Face::coordinates.
+	BRICK_INLINE void coordinatesOn(const Face& face, const Lanes (&x)[3], Lanes& p, Lanes& q)
+	{
+		if (face.parallelogram) {
+			Lanes d[3];
+			for (int i = 0; i < 3; ++i)
+				d[i] = x[i] - face.centre[i];
+			const Lanes one = allLanes(1.);
+			p               = greater(-one, lesser(face.dual1[0] * d[0] + face.dual1[1] * d[1] + face.dual1[2] * d[2], one));
+			q               = greater(-one, lesser(face.dual2[0] * d[0] + face.dual2[1] * d[1] + face.dual2[2] * d[2], one));
+			return;
+		}
+		for (int i = 0; i < lanes; ++i) {
+			const Vector2r natural = face.coordinates({ x[0][i], x[1][i], x[2][i] });
+			p[i] = natural[0], q[i] = natural[1];
+		}
+	}
+
+	/// Rows or columns of segments: the first, and the one after the last.
+	struct Range {
+		int  begin, end;
+		bool empty() const { return begin >= end; }
+	};
+
+	/// One face of the owner and what it may meet.
+	struct FacePair {
+		const View&   view;
+		int           ownerIndex, face;
+		Real          weight; ///< of the spots
+		int           segments;
+		Lanes         lowest, highest; ///< of the owner's face over the mean planes of the other body's
+		Real          cosine[lanes];   ///< between the owner's inward normal and the outward normal of each face of the other body
+		Range         rows, columns;   ///< where segments could touch
+		unsigned      bulging;         ///< faces of the other body whose bulging matters, a bit each
+		int           count;           ///< of the faces of the other body that cut the owner's or could be the nearest:
+		int           faces[faceCount];
+		BilinearField place[3], height[faceCount]; ///< of the owner's face; heights over `faces`
+
+		BRICK_INLINE FacePair(const View& view, int ownerIndex, int face, Real weight)
+		        : view(view)
+		        , ownerIndex(ownerIndex)
+		        , face(face)
+		        , weight(weight)
+		        , segments(view.owner.segments)
+		{
+		}
+		BRICK_INLINE const Lanes& cornerHeight(int a) const { return view.cornerHeights[faceNodes[face][a]]; }
+		BRICK_INLINE bool         canTouch();
+		BRICK_INLINE Range        nearOverlap(int from0, int to0, int from1, int to1) const;
+		BRICK_INLINE void         prepareFields();
+	};
+
+	/// Cheap refusal, by the corners alone: entirely beyond a face of the other body, or everywhere nearer to a face that it cannot press on.
+	BRICK_INLINE bool FacePair::canTouch()
+	{
+		lowest                    = lesser(lesser(cornerHeight(0), cornerHeight(1)), lesser(cornerHeight(2), cornerHeight(3)));
+		const Lanes greatestDepth = view.highestBulge - lowest;
+		if (bitsOf(greatestDepth <= 0)) return false;
+
+		highest             = greater(greater(cornerHeight(0), cornerHeight(1)), greater(cornerHeight(2), cornerHeight(3)));
+		const Vector3r n    = view.turn * view.owner.solid->faces[face].normal;
+		const Lanes cosines = -(view.normal[0] * n[0] + view.normal[1] * n[1] + view.normal[2] * n[2]), none = allLanes(unbounded);
+		const Mask  pressed = cosines > 0;
+		if (leastOf(pressed ? -highest : none) > leastOf(pressed ? none : greatestDepth)) return false;
+
+		Mask        bulges = pressed & (-highest <= leastOf(greatestDepth));
+		if (!view.other.placement.displacement) bulges = Mask {};
+		const Lanes least = bulges ? lowest - view.highestBulge : lowest, most = bulges ? highest - view.lowestBulge : highest;
+		const Mask  near = most >= mostOf(least);
+		if (!bitsOf(near & pressed)) return false;
+		storeLanes(cosine, cosines);
+		bulging             = bitsOf(bulges);
+		const unsigned meet = bitsOf(near | (most >= 0));
+		count               = 0;
+		for (int f = 0; f < faceCount; ++f)
+			if (meet >> f & 1) faces[count++] = f;
+		rows    = nearOverlap(0, 3, 1, 2);
+		columns = nearOverlap(0, 1, 3, 2);
+		return !rows.empty() && !columns.empty();
+	}
+
+	/// Rows (or columns) of which neither end is beyond a face of the other body, by two edges of the owner's face that run across them.
+	BRICK_INLINE Range FacePair::nearOverlap(int from0, int to0, int from1, int to1) const
+	{
+		Lanes       begin = allLanes(2.), end = allLanes(-1.);
+		const Lanes zero = allLanes(0.), one = allLanes(1.);
+		const int   edges[2][2] = { { from0, to0 }, { from1, to1 } };
+		for (const auto& edge : edges) {
+			const Lanes from = cornerHeight(edge[0]) - view.highestBulge, to = cornerHeight(edge[1]) - view.highestBulge, crossing = from / (from - to);
+			begin = lesser(begin, from < 0 ? zero : to < 0 ? crossing : allLanes(2.));
+			end   = greater(end, to < 0 ? one : from < 0 ? crossing : allLanes(-1.));
+		}
+		const Real first = mostOf(begin) * segments, last = leastOf(end) * segments;
+		if (!(first < last)) return { 0, 0 };
+		constexpr Real roundOff = 1e-9; // a segment more costs less than a sliver lost
+		return { std::max(0, int(first - roundOff)), std::min(segments, 1 + int(last + roundOff)) };
+	}
+
+	BRICK_INLINE void FacePair::prepareFields()
+	{
+		const auto& nodes = faceNodes[face];
+		const auto& x     = view.corners;
+		for (int i = 0; i < 3; ++i)
+			place[i] = BilinearField::of(x[nodes[0]][i], x[nodes[1]][i], x[nodes[2]][i], x[nodes[3]][i]);
+		for (int k = 0; k < count; ++k) {
+			const int f = faces[k];
+			height[k]   = BilinearField::of(cornerHeight(0)[f], cornerHeight(1)[f], cornerHeight(2)[f], cornerHeight(3)[f]);
+		}
+	}
+
+	/// Vertices of segments, some rows of them, one after the other, with what varies over them.
+	struct Vertices {
+		static constexpr int capacity = 256; ///< at least two rows of largestSegments + 1
+		static constexpr int readable = capacity + largestSegments + 3 * lanes;
+		static constexpr int none     = -1;
+
+		int  stride, rows;      ///< rows of segments
+		int  segment[readable]; ///< that starts at a vertex, or none
+		Real xi[readable], eta[readable], place[3][readable], height[faceCount][readable];
+
+		BRICK_INLINE void  fill(const FacePair&, int firstRow);
+		BRICK_INLINE void  fillLanes(const FacePair&, int first);
+		BRICK_INLINE Lanes lowest(const Real* values, int first) const
+		{
+			return lesser(
+			        lesser(loadLanes(values + first), loadLanes(values + first + 1)),
+			        lesser(loadLanes(values + first + stride), loadLanes(values + first + stride + 1)));
+		}
+		BRICK_INLINE Lanes highest(const Real* values, int first) const
+		{
+			return greater(
+			        greater(loadLanes(values + first), loadLanes(values + first + 1)),
+			        greater(loadLanes(values + first + stride), loadLanes(values + first + stride + 1)));
+		}
+		int starts() const { return rows * stride - 1; } ///< vertices at which segments may start
+	};
+
+	/// As many rows as there is room for.
+	BRICK_INLINE void Vertices::fill(const FacePair& pair, int first)
+	{
+		const int n = pair.segments;
+		stride      = pair.columns.end - pair.columns.begin + 1;
+		rows        = std::min(pair.rows.end - first, capacity / stride - 1);
+		int i       = 0;
+		for (int row = first; row <= first + rows; ++row)
+			for (int column = pair.columns.begin; column <= pair.columns.end; ++column, ++i)
+				xi[i] = 2. * column / n - 1, eta[i] = 2. * row / n - 1, segment[i] = column < pair.columns.end ? row * n + column : none;
+		const int count = i;
+		for (; i < count + lanes; ++i)
+			xi[i] = eta[i] = 0;
+		for (i = 0; i < count; i += lanes)
+			fillLanes(pair, i);
+	}
+
+	BRICK_INLINE void Vertices::fillLanes(const FacePair& pair, int first)
+	{
+		const Lanes u = loadLanes(xi + first), v = loadLanes(eta + first);
+		Lanes       x[3];
+		for (int i = 0; i < 3; ++i) {
+			x[i] = pair.place[i].at(u, v);
+			storeLanes(place[i] + first, x[i]);
+		}
+		for (int k = 0; k < pair.count; ++k) {
+			Lanes h = pair.height[k].at(u, v);
+			if (pair.bulging >> pair.faces[k] & 1) {
+				Lanes p, q;
+				coordinatesOn(pair.view.other.solid->faces[pair.faces[k]], x, p, q);
+				h -= pair.view.bulge[pair.faces[k]].at(p, q);
+			}
+			storeLanes(height[k] + first, h);
+		}
+	}
+
+	/// Spot of the part of a segment, still without its places.
+	BRICK_INLINE ContactSpot& addSpot(const FacePair& pair, int segment, int otherFace, std::vector<ContactSpot>& spots)
+	{
+		spots.emplace_back();
+		ContactSpot& spot = spots.back();
+		spot.key          = contactKey(pair.ownerIndex, pair.face, otherFace, segment);
+		spot.owner        = pair.ownerIndex;
+		spot.ownerFace    = pair.face;
+		spot.otherFace    = otherFace;
+		return spot;
+	}
+
+	// ------------------------------------------------------------------------------------------------ segments that are cut
+
+	/// A segment that is cut, or that is nearest to more than one face. Only the faces that matter to it are carried along.
+	class CutSegment {
+	public:
+		CutSegment(const FacePair& pair, const Vertices& vertices, int start)
+		        : pair(pair)
+		        , vertices(vertices)
+		        , start(start)
+		{
+			Real floor = -unbounded;
+			Real lowest[faceCount], highest[faceCount];
+			for (int k = 0; k < pair.count; ++k) {
+				const Real *h = vertices.height[k] + start, *g = h + vertices.stride;
+				lowest[k]  = std::min(std::min(h[0], h[1]), std::min(g[0], g[1]));
+				highest[k] = std::max(std::max(h[0], h[1]), std::max(g[0], g[1]));
+				floor      = std::max(floor, lowest[k]);
+			}
+			for (int k = 0; k < pair.count; ++k) {
+				if (highest[k] < 0 && highest[k] < floor) continue;
+				if (highest[k] >= 0) cuts |= 1 << count;
+				if (pair.cosine[pair.faces[k]] > leastCosine && highest[k] > floor) pressable[pressableCount++] = count;
+				which[count++] = k;
+			}
+		}
+		void addSpots(std::vector<ContactSpot>& spots) const
+		{
+			if (heightEntry + count <= lanes) addSpotsOf<lanes>(spots);
+			else
+				addSpotsOf<heightEntry + faceCount>(spots);
+		}
+
+	private:
+		static constexpr int naturalEntry = 3, heightEntry = 5, anyFace = -1; ///< of a vertex
+
+		template <int dimensions> void addSpotsOf(std::vector<ContactSpot>& spots) const
+		{
+			ClippedPolygon<dimensions, 2 * faceCount> polygon;
+			for (int corner = 0; corner < 4; ++corner)
+				fill(polygon.vertex(corner), start + (corner == 1 || corner == 2) + (corner >= 2 ? vertices.stride : 0));
+			for (int i = 0; i < count; ++i)
+				if (cuts >> i & 1) polygon.keepNegative(heightEntry + i);
+			if (polygon.empty()) return;
+			if (pressableCount < 2) {
+				addPart(polygon, anyFace, spots);
+				return;
+			}
+			const auto whole = polygon.present();
+			for (int i = 0; i < pressableCount; ++i) {
+				polygon.goBackTo(whole);
+				for (int j = 0; j < pressableCount; ++j)
+					if (j != i) polygon.keepAbove(heightEntry + pressable[i], heightEntry + pressable[j]);
+				if (!polygon.empty()) addPart(polygon, pressable[i], spots);
+			}
+		}
+
+		template <class Vertex> void fill(Vertex& v, int vertex) const
+		{
+			for (int i = 0; i < 3; ++i)
+				v[i] = vertices.place[i][vertex];
+			v[naturalEntry] = vertices.xi[vertex], v[naturalEntry + 1] = vertices.eta[vertex];
+			for (int i = 0; i < count; ++i)
+				v[heightEntry + i] = vertices.height[which[i]][vertex];
+			for (int i = heightEntry + count; i < v.size(); ++i)
+				v[i] = 0;
+		}
+
+		/// @param expected the nearest face, otherwise there is no spot; or anyFace
+		template <class Polygon> void addPart(const Polygon& polygon, int expected, std::vector<ContactSpot>& spots) const
+		{
+			typename Polygon::Vertex centre;
+			const Real               area    = polygon.areaAndCentroid(centre);
+			int                      nearest = 0;
+			for (int i = 1; i < count; ++i)
+				if (centre[heightEntry + i] > centre[heightEntry + nearest]) nearest = i;
+			const Real penetration = -centre[heightEntry + nearest];
+			const int  otherFace   = pair.faces[which[nearest]];
+			if (!(area > 0) || !(penetration > 0) || pair.cosine[otherFace] <= 0) return;
+			if (expected != anyFace && nearest != expected) return;
+			ContactSpot& spot = addSpot(pair, vertices.segment[start], otherFace, spots);
+			spot.position     = centre.template head<3>();
+			spot.ownerNatural = { centre[naturalEntry], centre[naturalEntry + 1] };
+			spot.otherNatural = pair.view.other.solid->faces[otherFace].coordinates(spot.position);
+			spot.penetration  = penetration;
+			spot.area         = pair.weight * pair.cosine[otherFace] * area;
+		}
+
+		const FacePair& pair;
+		const Vertices& vertices;
+		int             start, count = 0, which[faceCount];
+		unsigned        cuts           = 0;
+		int             pressableCount = 0, pressable[faceCount];
+	};
+
+	/// Not part of the loop over segments, whose code stays small.
+	__attribute__((noinline)) void addCutSegment(const FacePair& pair, const Vertices& vertices, int start, std::vector<ContactSpot>& spots)
+	{
+		CutSegment(pair, vertices, start).addSpots(spots);
+	}
+
+	// ------------------------------------------------------------------------------------------------------- whole segments
+
+	/// Eight segments that lie inside the other body, with one nearest face each.
+	struct WholeSegments {
+		Real place[3][lanes], ownerNatural[2][lanes], otherNatural[2][lanes], penetration[lanes], area[lanes], nearest[lanes];
+
+		BRICK_INLINE WholeSegments(const FacePair&, const Vertices&, int first);
+		BRICK_INLINE void addSpot(const FacePair& pair, int segment, int lane, std::vector<ContactSpot>& spots) const
+		{
+			const int otherFace = int(nearest[lane]);
+			if (!(area[lane] > 0) || !(penetration[lane] > 0)) return;
+			ContactSpot& spot = brick::addSpot(pair, segment, otherFace, spots);
+			spot.position     = { place[0][lane], place[1][lane], place[2][lane] };
+			spot.ownerNatural = { ownerNatural[0][lane], ownerNatural[1][lane] };
+			spot.otherNatural = { otherNatural[0][lane], otherNatural[1][lane] };
+			spot.penetration  = penetration[lane];
+			spot.area         = area[lane];
+		}
+	};
+
+	/// Two triangles each, as a polygon of four vertices has.
+	BRICK_INLINE WholeSegments::WholeSegments(const FacePair& pair, const Vertices& vertices, int first)
+	{
+		Lanes a[3], ab[3], ac[3], ad[3];
+		for (int i = 0; i < 3; ++i) {
+			const Real* x = vertices.place[i] + first;
+			a[i]          = loadLanes(x);
+			ab[i] = loadLanes(x + 1) - a[i], ac[i] = loadLanes(x + vertices.stride + 1) - a[i], ad[i] = loadLanes(x + vertices.stride) - a[i];
+		}
+		Lanes triangle[2] { Lanes {}, Lanes {} };
+		for (int i = 0; i < 3; ++i) {
+			const int   j = (i + 1) % 3, k = (i + 2) % 3;
+			const Lanes below = ab[j] * ac[k] - ab[k] * ac[j], above = ac[j] * ad[k] - ac[k] * ad[j];
+			triangle[0] += below * below, triangle[1] += above * above;
+		}
+		triangle[0] = root(triangle[0]) / 2, triangle[1] = root(triangle[1]) / 2;
+		const Lanes whole = triangle[0] + triangle[1], third = allLanes(1. / 3), b = triangle[0] / (3 * whole), d = triangle[1] / (3 * whole);
+		const auto  centre = [&](const Real* values) __attribute__((always_inline))
+		{
+			const Real* v = values + first;
+			return third * (loadLanes(v) + loadLanes(v + vertices.stride + 1)) + (b * loadLanes(v + 1) + d * loadLanes(v + vertices.stride));
+		};
+
+		Lanes x[3];
+		for (int i = 0; i < 3; ++i) {
+			x[i] = centre(vertices.place[i]);
+			storeLanes(place[i], x[i]);
+		}
+		storeLanes(ownerNatural[0], centre(vertices.xi)), storeLanes(ownerNatural[1], centre(vertices.eta));
+		Lanes top = allLanes(-unbounded), face {}, cosine {}, p {}, q {};
+		for (int k = 0; k < pair.count; ++k) {
+			const Lanes height = centre(vertices.height[k]);
+			const Mask  higher = height > top;
+			top                = higher ? height : top;
+			face               = higher ? allLanes(Real(pair.faces[k])) : face;
+			cosine             = higher ? allLanes(pair.cosine[pair.faces[k]]) : cosine;
+			if (pair.cosine[pair.faces[k]] <= 0 || !bitsOf(higher)) continue;
+			Lanes pk, qk;
+			coordinatesOn(pair.view.other.solid->faces[pair.faces[k]], x, pk, qk);
+			p = higher ? pk : p, q = higher ? qk : q;
+		}
+		storeLanes(otherNatural[0], p), storeLanes(otherNatural[1], q);
+		storeLanes(penetration, -top), storeLanes(nearest, face);
+		storeLanes(area, pair.weight * cosine * whole);
+	}
+
+	// --------------------------------------------------------------------------------------------------------------- search
+
+	/// Eight segments: those that touch as a whole in bits 0-7, those that have to be cut in bits 8-15.
+	BRICK_INLINE unsigned classify(const FacePair& pair, const Vertices& vertices, int first)
+	{
+		Lanes lowest[faceCount], highest[faceCount], floor = allLanes(-unbounded), ceiling = floor;
+		for (int k = 0; k < pair.count; ++k) {
+			lowest[k] = vertices.lowest(vertices.height[k], first), highest[k] = vertices.highest(vertices.height[k], first);
+			floor = greater(floor, lowest[k]), ceiling = greater(ceiling, highest[k]);
+		}
+		const unsigned touching = bitsOf(floor < 0);
+		if (!touching) return 0;
+		Lanes pressable {};
+		for (int k = 0; k < pair.count; ++k)
+			if (pair.cosine[pair.faces[k]] > leastCosine) pressable += highest[k] > floor ? allLanes(1.) : allLanes(0.);
+		const unsigned whole = touching & bitsOf((ceiling < 0) & (pressable < 2));
+		return whole | (touching & ~whole) << lanes;
+	}
+
+	BRICK_INLINE void searchRows(const FacePair& pair, const Vertices& vertices, std::vector<ContactSpot>& spots)
+	{
+		for (int first = 0; first < vertices.starts(); first += lanes) {
+			unsigned found = 0;
+			if (!(found = classify(pair, vertices, first))) continue;
+			WholeSegments whole(pair, vertices, first);
+			const int     end = std::min(lanes, vertices.starts() - first);
+			for (int lane = 0; lane < end; ++lane) {
+				const unsigned how = found >> lane & 0x101;
+				if (!how || vertices.segment[first + lane] == Vertices::none) continue;
+				if (how == 1) whole.addSpot(pair, vertices.segment[first + lane], lane, spots);
+				else
+					addCutSegment(pair, vertices, first + lane, spots);
+			}
+		}
+	}
+
+	BRICK_ANY_INSTRUCTION_SET
+	void searchSide(const View& view, int ownerIndex, Real weight, std::vector<ContactSpot>& spots)
+	{
+		for (int face = 0; face < faceCount; ++face) {
+			FacePair pair(view, ownerIndex, face, weight);
+			if (!pair.canTouch()) continue;
+			pair.prepareFields();
+			const std::size_t before = spots.size();
+			Vertices          vertices;
+			for (int row = pair.rows.begin; row < pair.rows.end; row += vertices.rows) {
+				vertices.fill(pair, row);
+				searchRows(pair, vertices, spots);
+			}
+			// by the other's faces; mostly there is only one
+			const auto inOrder = [](const ContactSpot& a, const ContactSpot& b) { return a.key < b.key; };
+			if (!std::is_sorted(spots.begin() + before, spots.end(), inOrder)) std::sort(spots.begin() + before, spots.end(), inOrder);
+		}
+	}
+
+} // namespace
+
+void findContact(const Side& side0, const Side& side1, std::vector<ContactSpot>& spots)
+{
+	spots.clear();
+	if (isBeyondOneFace(side0, side1) || isBeyondOneFace(side1, side0)) return;
+	const View view0(side0, side1), view1(side1, side0);
+	if (view0.apart() || view1.apart()) return;
+	const Real weight = side0.support || side1.support ? 1 : .5;
+	if (!side0.support) searchSide(view0, 0, weight, spots);
+	if (!side1.support) searchSide(view1, 1, weight, spots);
+}
+
+} // namespace brick
