@@ -5,6 +5,8 @@
 #include <core/Cell.hpp>
 #include <core/Scene.hpp>
 
+#include <boost/python/list.hpp>
+
 #include "kernel/Contact.hpp"
 #include "kernel/InnerMotion.hpp"
 #include "kernel/Message.hpp"
@@ -285,9 +287,9 @@ boost::python::dict Brick::solidProperties(const std::vector<Vector3r>& given)
 	if (!problem.empty()) throw std::invalid_argument("corners: " + problem);
 	const auto            solid = brick::solidProperties(nodes);
 	const auto            frame = brick::principalFrame(solid.inertia);
-	std::vector<Vector3r> local;
+	boost::python::list local; // YADE's own conversion of vectors keeps every list for good
 	for (const auto& x : nodes)
-		local.push_back(frame.orientation.conjugate() * (x - solid.centroid));
+		local.append(Vector3r(frame.orientation.conjugate() * (x - solid.centroid)));
 	boost::python::dict out;
 	out["volume"]      = solid.volume;
 	out["centroid"]    = Vector3r(solid.centroid);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "BrickContact.hpp"
 
+#include "Prefetch.hpp"
 #include "Stopwatch.hpp"
 
 #include <core/Body.hpp>
+
+#include <atomic>
 
 namespace yade {
 
@@ -75,7 +78,6 @@ namespace {
 	/// The geometry of a joint in this step.
 	void updateJoint(const brick::Placement& placement0, const brick::Placement& placement1, const brick::Joint& joint, BrickGeom& geom)
 	{
-		geom.axes   = placement0.rotation;
 		geom.origin = placement0.position;
 		brick::jointMotion(joint, placement0, placement1, geom.motion);
 	}
@@ -115,6 +117,7 @@ bool Ig2_Brick_Brick_BrickGeom::go(
         const shared_ptr<Interaction>& I)
 {
 	const Stopwatch watch(seconds);
+	prefetchFollowing(*scene, *I, sizeof(BrickGeom), sizeof(BrickPhys));
 	const Brick &   first = static_cast<const Brick&>(*shape1), &second = static_cast<const Brick&>(*shape2);
 	if (!first.solid || !second.solid) return false;
 	const bool       reversed = I->getId1() > I->getId2();
@@ -227,6 +230,13 @@ void Ip2_FrictMat_BrickMat_BrickPhys::go(const shared_ptr<Material>&, const shar
 	if (!I->phys) makePhys(*I, scene, I->phys);
 }
 
+namespace {
+	std::atomic<long> physMade { 0 };
+}
+
+void BrickPhys::count() { physMade.fetch_add(1, std::memory_order_relaxed); }
+long BrickPhys::made() { return physMade.load(std::memory_order_relaxed); }
+
 std::vector<int> BrickPhys::segmentState() const
 {
 	if (!isJoint()) return failureModes;
@@ -251,10 +261,9 @@ namespace {
 std::vector<Vector3r> BrickPhys::segmentPoints(const shared_ptr<BrickGeom>& geom) const
 {
 	needStep(geom);
-	const brick::CornerVectors middle = geom->motion.place + geom->motion.opening / 2;
 	return ofSegments<Vector3r>([&](int s) {
 		const auto segment = brick::segmentOf(joint, s);
-		return Vector3r(geom->origin + geom->axes * (middle.transpose() * brick::cornerWeights(segment.p, segment.q)));
+		return Vector3r(geom->origin + geom->motion.middle(segment.p, segment.q));
 	});
 }
 
@@ -267,8 +276,7 @@ std::vector<Real> BrickPhys::normalStress(const shared_ptr<BrickGeom>& geom) con
 std::vector<Vector3r> BrickPhys::shearStress(const shared_ptr<BrickGeom>& geom) const
 {
 	needStep(geom);
-	return ofSegments<Vector3r>(
-	        [&](int s) { return Vector3r(geom->axes * brick::segmentTraction(joint, s, geom->motion, springs.tanFriction).shear); });
+	return ofSegments<Vector3r>([&](int s) { return brick::segmentTraction(joint, s, geom->motion, springs.tanFriction).shear; });
 }
 
 Real BrickPhys::elasticEnergy(const shared_ptr<BrickGeom>& geom) const
@@ -304,11 +312,11 @@ namespace {
 		phys.failureModes = phys.segmentState();
 		phys.contactLoads.reset(new std::array<brick::Loads, 2>);
 		for (int side = 0; side < 2; ++side) {
-			brick::Loads& loads = (*phys.contactLoads)[side];
-			loads.force         = phys.loads.force[side];
-			loads.torque        = phys.loads.torque[side];
-			for (int a = 0; a < 4 && geom.motion.deformable[side]; ++a)
-				loads.nodal[phys.joint.faces[side].nodes[a]] = phys.loads.nodal[side].row(a);
+			brick::Loads&      loads = (*phys.contactLoads)[side];
+			const brick::Side& body  = side == 0 ? side0 : side1;
+			loads.force              = phys.loads.forceOn(side);
+			loads.torque             = phys.loads.torque[side];
+			if (!body.support) brick::addNodalForces(phys.joint, phys.loads, side, body.placement.rotation, loads.nodal);
 		}
 		geom.contact.reset(new BrickGeom::Contact);
 		geom.contact->sides = { side0, side1 };
@@ -326,11 +334,16 @@ namespace {
 
 void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phys)
 {
-	const Stopwatch    watch(jointSeconds);
-	brick::PairSummary sum;
-	const auto         failures = brick::jointLoads(phys.joint, geom.motion, phys.springs.tanFriction, geom.axes, phys.loads, sum);
-	const Body &       first = *Body::byId(phys.ids[0], scene), &second = *Body::byId(phys.ids[1], scene);
-	if (phys.joint.faces[0].face < 0) phys.loads.torque[0] += (geom.origin - first.state->pos).cross(phys.loads.force[0]);
+	const Stopwatch      watch(jointSeconds);
+	const Body &         first = *Body::byId(phys.ids[0], scene), &second = *Body::byId(phys.ids[1], scene);
+	brick::PairSummary   sum;
+	brick::CornerVectors rate { brick::CornerVectors::Zero() };
+	if (!phys.joint.holds()) {
+		const Vector3r& at = second.state->pos;
+		rate = brick::openingRate(phys.joint, geom.motion, sideOf(first, geom, at).placement, sideOf(second, geom, at).placement);
+	}
+	const auto failures = brick::jointLoads(phys.joint, geom.motion, rate, phys.springs.tanFriction, phys.loads, sum);
+	if (phys.joint.shape->faces[0].face < 0) phys.loads.torque[0] += (geom.origin - first.state->pos).cross(phys.loads.forceOn(0));
 	fillReport(sum, geom.origin, geom, phys);
 	if (failures.total() == 0) return;
 #pragma omp atomic
@@ -362,6 +375,7 @@ bool Law2_BrickGeom_BrickPhys_Mortar::go(shared_ptr<IGeom>& ig, shared_ptr<IPhys
 	BrickGeom& geom = static_cast<BrickGeom&>(*ig);
 	BrickPhys& phys = static_cast<BrickPhys&>(*ip);
 	phys.ids        = { geom.reversed ? I->getId2() : I->getId1(), geom.reversed ? I->getId1() : I->getId2() };
+	phys.step       = scene->iter;
 	if (phys.isJoint()) applyJoint(geom, phys);
 	else if (geom.contact->spots.empty())
 		return false;

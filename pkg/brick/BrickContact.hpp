@@ -24,13 +24,12 @@ public:
 		std::vector<brick::ContactSpot> spots;
 	};
 	std::unique_ptr<Contact>            contact;                         // of an ordinary contact
-	brick::JointMotion                  motion;                          // of a joint
-	Matrix3r                            axes { Matrix3r::Zero() };       // of side 0 in a joint, to world axes; zero before the first step
-	Vector3r                            origin { Vector3r::Zero() };     // position of side 0 in a joint
+	brick::JointMotion                  motion;                      // of a joint
+	Vector3r                            origin { NaN, NaN, NaN };    // position of side 0 in a joint
 	shared_ptr<const brick::Hexahedron> supportSolid;
 	bool                                reversed = false; // side 0 is the interaction's id2
 
-	bool isKnown() const { return contact || !axes.isZero(0); }
+	bool isKnown() const { return contact || !std::isnan(origin[0]); }
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR(BrickGeom, GenericSpheresContact, "Geometry of a joint or contact of a :yref:`Brick`: where the segments of either body are inside the other, or how far the two faces of a joint have moved apart. :yref:`normal<GenericSpheresContact.normal>` points from id1 to id2, :yref:`contactPoint<GenericSpheresContact.contactPoint>` is the middle of the area in contact.",
@@ -50,6 +49,9 @@ public:
 	std::array<Body::id_t, 2>                    ids { -1, -1 };
 	brick::JointLoads                            loads;    // of a joint
 	std::unique_ptr<std::array<brick::Loads, 2>> contactLoads; // of an ordinary contact; null for a joint
+	long                                         step = -1;    // in which they were computed
+
+	static long made(); ///< objects of this class made so far in this process: whether there may be new ones
 
 	bool                  isJoint() const { return joint.exists(); }
 	std::vector<int>      segmentState() const;
@@ -63,7 +65,7 @@ public:
 	template <class Value, class Read> std::vector<Value> ofSegments(Read read) const
 	{
 		std::vector<Value> out;
-		for (int s = 0; s < joint.count; ++s)
+		for (int s = 0; s < joint.count(); ++s)
 			out.push_back(read(s));
 		return out;
 	}
@@ -78,7 +80,7 @@ public:
 		((brick::ContactMemory, memory, , Attr::hidden, "Shear tractions of an ordinary contact."))
 		((Real, contactPart, NaN, Attr::hidden, "Thickness of the thinner contact part [m]."))
 		((Real, deepest, 0, Attr::readonly, "Largest penetration so far as a fraction of the thinner contact part; above 1 the contact is outside the method (crushing).")),
-		createIndex();,
+		createIndex(); count();,
 		/*py*/
 		.add_property("jointed", &BrickPhys::isJoint, "Whether this is a mortar joint with at least one segment that holds; otherwise an ordinary contact.")
 		.add_property("segmentState", &BrickPhys::segmentState, "State of each segment of a joint: 0 intact, 1 failed in tension, 2 in shear, 3 in compression; also of the joint that an ordinary contact has been since it was last made, empty if none.")
@@ -90,6 +92,9 @@ public:
 	);
 	// clang-format on
 	REGISTER_CLASS_INDEX(BrickPhys, FrictPhys);
+
+private:
+	static void count();
 };
 REGISTER_SERIALIZABLE(BrickPhys);
 

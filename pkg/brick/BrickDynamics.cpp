@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "BrickDynamics.hpp"
 
+#include "Prefetch.hpp"
+
 #include <core/Body.hpp>
 
 namespace yade {
@@ -38,32 +40,31 @@ namespace {
 	struct Total {
 		Vector3r     force { Vector3r::Zero() }, torque { Vector3r::Zero() };
 		brick::Nodes nodal;
+		Matrix3r     rotation;          // of the body
 		bool         deformable; // so that nodal is wanted
 		int          holding = 0; // joints all of whose segments hold
-		bool         any     = false;
 
-		explicit Total(bool deformable)
-		        : deformable(deformable)
+		Total(const Matrix3r& rotation, bool deformable)
+		        : rotation(rotation)
+		        , deformable(deformable)
 		{
 			nodal.fill(Vector3r::Zero());
 		}
 		void add(const BrickPhys& phys, Body::id_t id)
 		{
 			const int side = phys.ids[0] == id ? 0 : 1;
-			any            = true;
-			if (phys.isJoint()) addJoint(phys.joint.faces[side].nodes, phys.loads, side);
+			if (phys.isJoint()) addJoint(phys, side);
 			else if (phys.contactLoads)
 				addContact((*phys.contactLoads)[side]);
-			holding += phys.isJoint() && phys.joint.holds();
 		}
 
 	private:
-		void addJoint(const std::array<int, 4>& nodes, const brick::JointLoads& loads, int side)
+		void addJoint(const BrickPhys& phys, int side)
 		{
-			force += loads.force[side];
-			torque += loads.torque[side];
-			for (int a = 0; a < 4 && deformable; ++a)
-				nodal[nodes[a]] += loads.nodal[side].row(a);
+			force += phys.loads.forceOn(side);
+			torque += phys.loads.torque[side];
+			if (deformable) brick::addNodalForces(phys.joint, phys.loads, side, rotation, nodal);
+			holding += phys.joint.holds();
 		}
 		void addContact(const brick::Loads& loads)
 		{
@@ -73,17 +74,6 @@ namespace {
 				nodal[a] += loads.nodal[a];
 		}
 	};
-
-	Total totalOf(const Body& b, bool deformable)
-	{
-		Total total(deformable);
-		for (const auto& item : b.intrs) {
-			const IPhys* phys = item.second->phys.get();
-			if (!phys || !item.second->geom || phys->getClassIndex() != BrickPhys::getClassIndexStatic()) continue;
-			total.add(static_cast<const BrickPhys&>(*phys), b.getId());
-		}
-		return total;
-	}
 
 } // namespace
 
@@ -108,14 +98,60 @@ void BrickDynamics::prepare()
 		if (Brick* shape = asBrick(b->shape)) shape->innerPart(checkedMaterial(*b, *shape));
 }
 
+/// Whether all that is known to act was computed in this step, and nothing new can have come.
+bool BrickDynamics::isCurrent() const
+{
+	const int count   = int(acting.size());
+	bool      current = physMade == BrickPhys::made() && firstActing.size() == scene->bodies->size() + 1;
+	if (!current) return false;
+#pragma omp parallel for schedule(static) reduction(&& : current) if (count > worthThreads)
+	for (int i = 0; i < count; ++i)
+		current = current && static_cast<const BrickPhys&>(*acting[i]).step == scene->iter;
+	return current;
+}
+
+void BrickDynamics::findActing()
+{
+	physMade = BrickPhys::made();
+	acting.clear();
+	firstActing.clear();
+	for (const auto& b : scene->bodies->body) {
+		firstActing.push_back(int(acting.size()));
+		if (!b) continue;
+		for (const auto& item : b->intrs) {
+			const auto& phys = item.second->phys;
+			if (!phys || !item.second->geom || phys->getClassIndex() != BrickPhys::getClassIndexStatic()) continue;
+			if (static_cast<const BrickPhys&>(*phys).step == scene->iter) acting.push_back(phys);
+		}
+	}
+	firstActing.push_back(int(acting.size()));
+}
+
+/// What the bodies after this one will need.
+void BrickDynamics::prefetchFollowing(int id) const
+{
+	constexpr int far = 6, near = 3; // a chain of two reads
+	const auto&   bodies = scene->bodies->body;
+	if (id + far < int(bodies.size()) && bodies[id + far]) prefetch(bodies[id + far].get(), sizeof(Body));
+	if (id + near >= int(bodies.size()) || !bodies[id + near]) return;
+	const Body& next = *bodies[id + near];
+	prefetch(next.state.get(), sizeof(State));
+	prefetch(next.shape.get(), sizeof(Brick));
+	for (int i = firstActing[id + near]; i < firstActing[id + near + 1]; ++i)
+		prefetch(acting[i].get(), sizeof(BrickPhys));
+}
+
 /// Sums what acts on a body, and moves a brick's deformation on.
 void BrickDynamics::moveOn(Body& b, Sum& sum)
 {
 	Brick* shape = asBrick(b.shape);
-	sum.any      = false;
-	if (!shape && b.intrs.empty()) return;
-	const Total total = totalOf(b, shape && shape->isDeformable());
-	sum               = { total.force, total.torque, total.any };
+	const int first = firstActing[b.getId()], end = firstActing[b.getId() + 1];
+	sum.any         = first < end;
+	if (!shape && !sum.any) return;
+	Total total(b.state->ori.toRotationMatrix(), shape && shape->isDeformable());
+	for (int i = first; i < end; ++i)
+		total.add(static_cast<const BrickPhys&>(*acting[i]), b.getId());
+	sum.force = total.force, sum.torque = total.torque;
 	if (!shape) return;
 	shape->whole = shape->joints > 0 && total.holding == shape->joints;
 	if (shape->isDeformable()) shape->advance(total.nodal, static_cast<const BrickMat&>(*b.material).dampingRatio, damping, scene->dt);
@@ -133,13 +169,17 @@ void BrickDynamics::askForNewBounds(const Body& b, const Brick& shape) const
 void BrickDynamics::action()
 {
 	prepare();
+	if (!isCurrent()) findActing();
 	const int count = int(scene->bodies->size());
 	sums.resize(count);
+	const bool large = isLarge(*scene);
 #pragma omp parallel for schedule(static) if (count > worthThreads)
-	for (int id = 0; id < count; ++id)
+	for (int id = 0; id < count; ++id) {
+		if (large) prefetchFollowing(id);
 		if (const auto& b = (*scene->bodies)[id]; b && b->shape) moveOn(*b, sums[id]);
 		else
 			sums[id].any = false;
+	}
 	// one thread writes all forces, so that sums with other engines' forces have one order too
 	for (int id = 0; id < count; ++id) {
 		if (!sums[id].any) continue;

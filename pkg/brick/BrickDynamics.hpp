@@ -29,7 +29,16 @@ private:
 	};
 	std::vector<Sum> sums; // by id
 
+	// Who acts on each body, in the order of the others' ids, one body after the other: the maps of interactions are spread over the memory, and reading them in
+	// every step would cost more than all sums. Found anew when there may be new interactions, or when one was not computed in this step.
+	std::vector<shared_ptr<IPhys>> acting; // BrickPhys; shared, so that one that was erased meanwhile can be told by its step
+	std::vector<int>               firstActing; // by id, and the end
+	long                           physMade = -1;
+
 	void prepare();
+	bool isCurrent() const;
+	void findActing();
+	void prefetchFollowing(int id) const;
 	void moveOn(Body&, Sum&);
 	void askForNewBounds(const Body&, const Brick&) const;
 };

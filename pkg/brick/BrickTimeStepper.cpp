@@ -26,7 +26,7 @@ namespace {
 	/// The same for what is in touch at present. Faces that come into touch later are counted from the step after.
 	Real dashpotTime(const BrickGeom& geom, const BrickPhys& phys)
 	{
-		if (phys.isJoint()) return dashpotTime(phys.joint.springs);
+		if (phys.isJoint()) return dashpotTime(phys.joint.shape->springs);
 		Real longest = 0;
 		if (!geom.contact) return longest;
 		for (const auto& spot : geom.contact->spots)
@@ -39,7 +39,7 @@ namespace {
 	{
 		const auto& faces = shape.solid->faces;
 		if (phys.isJoint()) {
-			const int face = phys.joint.faces[side].face;
+			const int face = phys.joint.shape->faces[side].face;
 			coverage[face] += phys.joint.area() / faces[face].area;
 		} else if (geom.contact)
 			for (const auto& spot : geom.contact->spots) {

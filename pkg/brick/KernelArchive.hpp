@@ -4,6 +4,7 @@
 
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/nvp.hpp>
+#include <boost/serialization/shared_ptr.hpp>
 #include <boost/serialization/vector.hpp>
 
 #include "kernel/Contact.hpp"
@@ -52,17 +53,28 @@ namespace serialization {
 		serializeMatrix(ar, "weight", f.weights);
 	}
 
-	template <class A> void serialize(A& ar, brick::Joint& j, unsigned)
+	template <class A> void serialize(A& ar, brick::JointSegment& s, unsigned)
 	{
-		ar& make_nvp("side0", j.faces[0]) & make_nvp("side1", j.faces[1]) & make_nvp("segments", j.segments);
-		ar& make_nvp("springs", j.springs) & make_nvp("strength", j.strength) & make_nvp("restGap", j.restGap) & make_nvp("along", j.along);
-		ar& make_nvp("count", j.count) & make_nvp("tension", j.failures.tension) & make_nvp("shear", j.failures.shear);
-		ar& make_nvp("compression", j.failures.compression);
+		int state = int(s.state);
+		ar& make_nvp("p", s.p) & make_nvp("q", s.q) & make_nvp("area", s.area) & make_nvp("state", state);
+		s.state = brick::SegmentState(state);
+	}
+
+	template <class A> void serialize(A& ar, brick::JointShape& j, unsigned)
+	{
+		ar& make_nvp("side0", j.faces[0]) & make_nvp("side1", j.faces[1]) & make_nvp("springs", j.springs) & make_nvp("strength", j.strength);
+		ar& make_nvp("along", j.along) & make_nvp("count", j.count) & make_nvp("cut", j.cut);
 		for (int& number : j.rows)
 			ar& make_nvp("rows", number);
 		for (auto& place : j.outermost)
 			ar& make_nvp("outermost", place);
 		serializeMatrix(ar, "weight", j.weight);
+	}
+
+	template <class A> void serialize(A& ar, brick::Joint& j, unsigned)
+	{
+		ar& make_nvp("shape", j.shape) & make_nvp("segments", j.segments) & make_nvp("restGap", j.restGap);
+		ar& make_nvp("tension", j.failures.tension) & make_nvp("shear", j.failures.shear) & make_nvp("compression", j.failures.compression);
 	}
 
 	template <class A> void serialize(A& ar, brick::ContactMemory& m, unsigned) { ar& make_nvp("keys", m.keys) & make_nvp("tractions", m.tractions); }

@@ -181,8 +181,10 @@ void MortarJoints::join(const shared_ptr<Body>& a, const shared_ptr<Body>& b)
 	phys->springs.setMortar(mortarElasticity(*filling, first, second), filling->thickness);
 	phys->springs.tanFriction    = std::tan(filling->frictionAngle);
 	phys->tangensOfFrictionAngle = phys->springs.tanFriction;
-	joint->springs               = phys->springs.at((*side0.contactLength)[faces[0]], (*side1.contactLength)[faces[1]]);
-	joint->strength              = { filling->tensileStrength, filling->cohesion, phys->springs.tanFriction, filling->compressiveStrength, filling->Cs };
+	joint->setMortar(
+	        phys->springs.at((*side0.contactLength)[faces[0]], (*side1.contactLength)[faces[1]]),
+	        { filling->tensileStrength, filling->cohesion, phys->springs.tanFriction, filling->compressiveStrength, filling->Cs });
+	shareShape(*joint, side0, side1);
 	phys->contactPart            = thinnestContactPart({ side0, side1 });
 	phys->joint                  = *joint;
 
@@ -201,6 +203,23 @@ void MortarJoints::join(const shared_ptr<Body>& a, const shared_ptr<Body>& b)
 			shape->counted = false;
 			++shape->joints;
 		}
+}
+
+/// Has a joint share its shape with one laid before, if there is one alike.
+void MortarJoints::shareShape(brick::Joint& joint, const brick::Side& side0, const brick::Side& side1)
+{
+	constexpr Real     roundOff = 1e-12; // of a joint's size: what remains of coordinates up to some hundred metres
+	const Real         size     = std::sqrt(joint.area());
+	const long         key      = std::lround(1e6 * std::log(size)); // a few shapes each
+	brick::JointMotion motion;
+	for (auto found = shapes.lower_bound(key - 1); found != shapes.end() && found->first <= key + 1; ++found)
+		if (brick::alike(*found->second, *joint.shape, roundOff * size)) {
+			joint.shape = found->second;
+			brick::jointMotion(joint, side0.placement, side1.placement, motion);
+			joint.restGap = (motion.opening * motion.normal).mean();
+			return;
+		}
+	shapes.emplace(key, joint.shape);
 }
 
 bool MortarJoints::areJoined(Body::id_t a, Body::id_t b) const
@@ -228,6 +247,7 @@ void MortarJoints::noteBeside(const shared_ptr<Body>& a, const shared_ptr<Body>&
 void MortarJoints::action()
 {
 	made = 0;
+	shapes.clear();
 	std::vector<Box3> boxes;
 	for (const auto& b : *scene->bodies) {
 		if (!b || !b->shape || !canBeJoined(*b)) continue;
@@ -243,6 +263,10 @@ void MortarJoints::action()
 			const auto &a = Body::byId(boxes[i].id, scene), &b = Body::byId(boxes[j].id, scene);
 			if ((brickOf(*a) || brickOf(*b)) && (a->isDynamic() || b->isDynamic())) near.emplace_back(a, b);
 		}
+	// in the order of ids, which is the order in memory
+	std::sort(near.begin(), near.end(), [](const auto& x, const auto& y) {
+		return std::minmax(x.first->getId(), x.second->getId()) < std::minmax(y.first->getId(), y.second->getId());
+	});
 	for (const auto& [a, b] : near)
 		join(a, b);
 	for (const auto& [a, b] : near)

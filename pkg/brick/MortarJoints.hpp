@@ -6,6 +6,8 @@
 
 #include <core/GlobalEngine.hpp>
 
+#include <map>
+
 namespace yade {
 
 class MortarJoints : public GlobalEngine {
@@ -26,6 +28,9 @@ The mortar is the materials' (:yref:`BrickMat.mortar`), or the one given here fo
 	// clang-format on
 
 private:
+	std::multimap<long, std::shared_ptr<brick::JointShape>> shapes; // of joints laid in this call, by size
+
+	void shareShape(brick::Joint&, const brick::Side&, const brick::Side&);
 	void join(const shared_ptr<Body>&, const shared_ptr<Body>&);
 	void noteBeside(const shared_ptr<Body>&, const shared_ptr<Body>&) const;
 	bool areJoined(Body::id_t, Body::id_t) const;

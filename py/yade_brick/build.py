@@ -3,6 +3,7 @@
 # mass and inertia come from the library, which also refuses corners that are no brick.
 """Builders of bricks and walls. Lengths in metres; every wrong argument raises ValueError, before anything is added to the scene."""
 
+import functools
 import math
 from dataclasses import dataclass
 
@@ -39,11 +40,12 @@ def brick(
 	"""
 	from yade import Body, Brick
 	material = _material(material)
-	given = _cuboid(size) if corners is None else _points(corners)
-	if (size is None) == (corners is None):
+	if size is None and corners is None:
+		raise ValueError("size and corners are both missing; one of them is needed")
+	if size is not None and corners is not None:
 		raise ValueError(f"size is {size} and corners is {corners}; allowed is exactly one of them")
-	solid = Brick.solidProperties(given)
-	thickness = defaultContactShare * _shortestEdge(given) if contactThickness is None else contactThickness
+	solid = _cuboidProperties(_lengths(size)) if corners is None else Brick.solidProperties(_points(corners))
+	thickness = defaultContactShare * _shortestEdge(solid["corners"]) if contactThickness is None else contactThickness
 	body = Body()
 	body.shape = Brick(
 	        corners=solid["corners"], deformation=deformation, element=element, inner=inner, contactThickness=thickness, segments=segments,
@@ -74,15 +76,20 @@ def _material(material):
 	return found
 
 
-def _cuboid(size):
+def _cuboid(lengths):
 	"""Corners of a cuboid around the origin."""
-	if size is None:
-		raise ValueError("size and corners are both missing; one of them is needed")
-	return [_vector([0.5 * sign * length for sign, length in zip(signs, _lengths(size))], "size") for signs in cornerSigns]
+	return [_vector([0.5 * sign * length for sign, length in zip(signs, lengths)], "size") for signs in cornerSigns]
+
+
+@functools.lru_cache(maxsize=64)
+def _cuboidProperties(lengths):
+	"""Of bricks alike found once: besides the time, YADE keeps a reference to every vector that it is given in a list, a kilobyte and more a brick."""
+	from yade import Brick
+	return Brick.solidProperties(_cuboid(lengths))
 
 
 def _lengths(size):
-	size = tuple(size)
+	size = tuple(float(length) for length in size)
 	if len(size) != 3 or not all(math.isfinite(length) and length > 0 for length in size):
 		raise ValueError(f"size is {size}; allowed are three finite lengths > 0 m")
 	return size

@@ -76,8 +76,7 @@ private:
 		out.support        = bodies[0].placement;
 		const auto springs = k == 0 ? pairs::onSupport(pairs::springs(), 0) : pairs::springs();
 		out.joint          = joinFaces(lower.side(), above, upper.side(), below, 3e-7).value();
-		out.joint.springs  = springs.at(lower.contactLength[above], upper.contactLength[below]);
-		out.joint.strength = strength;
+		out.joint.setMortar(springs.at(lower.contactLength[above], upper.contactLength[below]), strength);
 		return out;
 	}
 };
@@ -157,7 +156,7 @@ TEST(Settle, rigid_tower_settles_as_springs_in_series)
 	Real sunk = 0;
 	for (int k = 0; k < 4; ++k) {
 		const auto& joint = tower.joints[k].joint;
-		sunk += (4 - k) * weight / (joint.springs.normal * edge * edge);
+		sunk += (4 - k) * weight / (joint.shape->springs.normal * edge * edge);
 		EXPECT_NEAR(tower.bricks[k].position[2] - a.bricks()[k].position[2], sunk, 1e-12);
 		EXPECT_NEAR(a.bricks()[k].position[0], 0, 1e-14);
 	}

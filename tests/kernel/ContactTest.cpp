@@ -677,12 +677,12 @@ Vector2r jumpAtHandOver(const Body& lower, Body upper, const Vector3r& shift, co
 	Pair p(lower, upper);
 	p.second.placement.position += shift;
 	p.turnAll(turn, { .3, .1, -.2 });
-	joint->springs = p.springs.at(.001, .001);
+	joint->setMortar(p.springs.at(.001, .001), {});
 	pairs::failAll(*joint, SegmentState::Shear);
-	JointLoads        loads;
-	PairSummary       sum;
-	const JointMotion motion = pairs::motionOf(*joint, p.first, p.second);
-	jointLoads(*joint, motion, p.springs.tanFriction, p.first.placement.rotation, loads, sum);
+	std::array<Loads, 2> loads;
+	PairSummary          sum;
+	const JointMotion    motion = pairs::motionOf(*joint, p.first, p.second);
+	pairs::stepJoint(*joint, p.springs, p.first, p.second, loads, sum);
 	p.memory       = tractionsOfJoint(*joint, motion, p.springs.tanFriction, p.first.side(), p.second.side());
 	const auto now = p.step(0);
 	return { (now.sum.normalForce - sum.normalForce).norm() / sum.normalForce.norm(),

@@ -38,8 +38,7 @@ struct Pair {
 		const auto found = joinFaces(first.side(), face0, second.side(), face1, tolerance);
 		if (!found) throw std::logic_error("the faces do not touch");
 		joint          = *found;
-		joint.springs  = springs.at(first.contactLength[face0], second.contactLength[face1]);
-		joint.strength = strength;
+		joint.setMortar(springs.at(first.contactLength[face0], second.contactLength[face1]), strength);
 	}
 	static Pair stacked(const MortarStrength& strength = unbreakable(), int segments = 4)
 	{
@@ -63,11 +62,8 @@ struct Pair {
 	};
 	Answer step()
 	{
-		Answer            a;
-		JointLoads        found;
-		const JointMotion m = motion();
-		a.failures          = jointLoads(joint, m, springs.tanFriction, first.placement.rotation, found, a.sum);
-		a.loads             = pairs::loadsOf(joint, m, found);
+		Answer a;
+		a.failures = pairs::stepJoint(joint, springs, first, second, a.loads, a.sum);
 		return a;
 	}
 	/// Of an intact joint, without touching it.
@@ -84,7 +80,7 @@ struct Pair {
 	/// Place of a segment on one of the bodies, world axes.
 	Vector3r place(const JointSegment& s, int side) const
 	{
-		return (side ? second : first).world(joint.faces[side].corners.transpose() * cornerWeights(s.p, s.q));
+		return (side ? second : first).world(joint.shape->faces[side].corners.transpose() * cornerWeights(s.p, s.q));
 	}
 	/// Largest distance between the two places of a segment.
 	Real widest() const
@@ -149,7 +145,7 @@ TEST(JointTest, full_overlap_of_two_cubes_gives_n_by_n_equal_segments)
 {
 	for (int n : { 1, 2, 4, 7 }) {
 		const Pair p = Pair::stacked(unbreakable(), n);
-		ASSERT_EQ(p.joint.count, n * n);
+		ASSERT_EQ(p.joint.count(), n * n);
 		EXPECT_EQ(p.joint.intact(), n * n);
 		for (const auto& s : pairs::segmentsOf(p.joint))
 			EXPECT_NEAR(s.area, edge * edge / (n * n), roundOff * edge * edge);
@@ -162,7 +158,7 @@ TEST(JointTest, half_overlap_of_an_english_bond_gives_half_the_segments_and_half
 {
 	for (int n : { 2, 4, 6 }) {
 		const Pair p(Body::cube({ 0, 0, 0 }, n), Body::cube({ edge / 2, 0, edge }, n));
-		EXPECT_EQ(p.joint.count, n * n / 2);
+		EXPECT_EQ(p.joint.count(), n * n / 2);
 		EXPECT_NEAR(p.area(), edge * edge / 2, roundOff * edge * edge);
 		EXPECT_LT(p.widest(), roundOff);
 		for (const auto& s : pairs::segmentsOf(p.joint))
@@ -174,7 +170,7 @@ TEST(JointTest, brick_of_half_the_size_takes_the_finer_grid_of_the_two)
 {
 	const Body whole = Body::cuboid({ .2, .2, .2 }, { 0, 0, 0 }, 2), half = Body::cuboid({ .1, .2, .2 }, { .05, 0, .2 }, 8);
 	for (const Pair& p : { Pair(whole, half), Pair(half, whole, below, above) }) {
-		EXPECT_EQ(p.joint.count, 4 * 8); // cells of 0.2 m / 8
+		EXPECT_EQ(p.joint.count(), 4 * 8); // cells of 0.2 m / 8
 		EXPECT_NEAR(p.area(), .02, roundOff * .02);
 	}
 }
@@ -268,10 +264,10 @@ TEST(JointTest, brick_joins_a_support_of_any_size_over_its_whole_face)
 	for (Real width : { .5, 10., 2e7 }) {
 		const Body slab = Body::slab({ width, width, 100 }, { 0, 0, -50 }), brick = Body::cube({ .1, -.05, edge / 2 });
 		for (const Pair& p : { Pair(slab, brick, above, below), Pair(brick, slab, below, above) }) {
-			EXPECT_EQ(p.joint.count, 16);
+			EXPECT_EQ(p.joint.count(), 16);
 			EXPECT_NEAR(p.area(), edge * edge, 1e-8 * edge * edge); // 1e7 m away, a place has nine digits left of a metre
 			EXPECT_LT(p.widest(), 1e-13);                           // the slab's centre is 50 m away
-			EXPECT_NEAR(p.joint.springs.normal, pairs::young / (1 - .0625) / .001, 1);
+			EXPECT_NEAR(p.joint.shape->springs.normal, pairs::young / (1 - .0625) / .001, 1);
 		}
 	}
 }
@@ -352,7 +348,7 @@ TEST(JointTest, forces_and_torques_balance_to_round_off_in_any_state_of_motion)
 	for (int trial = 0; trial < 100; ++trial) {
 		Pair p                  = Pair::english(random.turn());
 		p.springs.normalDamping = p.springs.shearDamping = .3;
-		p.joint.springs                                  = p.springs.at(.001, .001);
+		p.joint.setMortar(p.springs.at(.001, .001), p.joint.shape->strength);
 		for (Body* b : { &p.first, &p.second }) {
 			b->displacement = random.nodes(1e-4), b->rate = random.nodes(.1);
 			b->move(random.vector(1e-3), random.vector(1e-4), b->placement.position);
@@ -379,7 +375,7 @@ TEST(JointTest, nodal_loads_sum_to_the_force_and_to_its_moment_about_the_segment
 		const Vector3r difference = a.loads[s].torque - pairs::nodalMoment(*bodies[s], a.loads[s]);
 		EXPECT_LT(difference.norm(), F * 3e-4);
 		for (int n = 0; n < nodeCount; ++n)
-			if (std::none_of(p.joint.faces[s].nodes.begin(), p.joint.faces[s].nodes.end(), [n](int other) { return other == n; })) {
+			if (std::none_of(p.joint.shape->faces[s].nodes.begin(), p.joint.shape->faces[s].nodes.end(), [n](int other) { return other == n; })) {
 				EXPECT_EQ(a.loads[s].nodal[n], Vector3r(Vector3r::Zero()));
 			}
 	}
@@ -427,7 +423,7 @@ TEST(JointTest, swapping_the_sides_swaps_the_loads)
 			b->placement.velocity = random.vector(.01);
 		}
 		Pair q = p;
-		std::swap(q.first, q.second), std::swap(q.joint.faces[0], q.joint.faces[1]);
+		std::swap(q.first, q.second), q.joint.setMortar(p.joint.shape->springs, p.joint.shape->strength), std::swap(q.joint.shape->faces[0], q.joint.shape->faces[1]);
 		const auto a = p.step(), b = q.step();
 		const Real small = pairs::knThin * edge * edge * 1e-14; // as above
 		for (int s = 0; s < 2; ++s) {
@@ -448,9 +444,9 @@ Real energy(const Pair& p)
 {
 	const auto m   = p.motion();
 	Real       sum = 0;
-	for (int s = 0; s < p.joint.count; ++s) {
+	for (int s = 0; s < p.joint.count(); ++s) {
 		const auto t = segmentTraction(p.joint, s, m, 0);
-		sum += segmentOf(p.joint, s).area / 2 * (t.normal * t.normal / p.joint.springs.normal + t.shear.squaredNorm() / p.joint.springs.shear);
+		sum += segmentOf(p.joint, s).area / 2 * (t.normal * t.normal / p.joint.shape->springs.normal + t.shear.squaredNorm() / p.joint.shape->springs.shear);
 	}
 	return sum;
 }
@@ -536,21 +532,21 @@ TEST(JointTest, joint_that_holds_gives_the_sum_of_its_segments)
 		for (Body* b : { &p.first, &p.second })
 			b->displacement = random.nodes(1e-5), b->move(random.vector(1e-4), random.vector(1e-5), b->placement.position);
 		const auto whole = p.step();
-		EXPECT_EQ(p.joint.segments.count() > 0, trial % 3 == 1) << "arrays are made for cut cells only";
+		EXPECT_EQ(p.joint.segments.count(), 0); // no arrays as long as it holds
 		const auto m     = p.motion();
 		Vector3r   force = Vector3r::Zero(), torque = Vector3r::Zero();
 		Real       deepest = -1;
-		for (int s = 0; s < p.joint.count; ++s) {
+		for (int s = 0; s < p.joint.count(); ++s) {
 			const auto     segment  = segmentOf(p.joint, s);
 			const auto     traction = segmentTraction(p.joint, s, m, 0);
 			const Vector3r f        = segment.area * (traction.normal * m.normal + traction.shear);
 			force += f;
-			torque += Vector3r((m.place + m.opening / 2).transpose() * cornerWeights(segment.p, segment.q)).cross(f);
-			deepest = std::max(deepest, -traction.normal / p.joint.springs.normal);
+			torque += m.middle(segment.p, segment.q).cross(f);
+			deepest = std::max(deepest, -traction.normal / p.joint.shape->springs.normal);
 		}
 		const Real size = pairs::knThin * edge * edge * 1e-4; // of what the segments' forces may cancel to
-		EXPECT_LT((p.first.placement.rotation * force - whole.loads[0].force).norm(), 1e-13 * size);
-		EXPECT_LT((p.first.placement.rotation * torque - whole.loads[0].torque).norm(), 1e-13 * size);
+		EXPECT_LT((force - whole.loads[0].force).norm(), 1e-13 * size);
+		EXPECT_LT((torque - whole.loads[0].torque).norm(), 1e-13 * size);
 		EXPECT_NEAR(whole.sum.penetration, deepest, trial % 3 == 1 ? 1e-4 : 1e-15); // of cut cells the rectangle around them is looked at
 	}
 }
@@ -561,7 +557,7 @@ TEST(JointTest, joint_fails_when_and_only_when_a_segment_does)
 	int           failed = 0;
 	for (int trial = 0; trial < 300; ++trial) {
 		Pair p          = Pair::english();
-		p.joint.strength = mortar();
+		p.joint.setMortar(p.joint.shape->springs, mortar());
 		for (Body* b : { &p.first, &p.second })
 			b->displacement = random.nodes(5e-7), b->move(random.vector(2e-6), random.vector(5e-7), b->placement.position);
 		const int expected = overloaded(p.joint, p.motion()).total();
@@ -692,7 +688,7 @@ TEST(JointTest, last_row_is_no_hinge)
 				const Real half = edge / 2 / n, opens = (pairs::tensile + pressed) / layer.kn / half;
 				for (const Real factor : { .99, 1.01 }) { // the mean normal turns by half the angle, up to 0.03 rad: its square is 1e-3
 					Pair p = bonded(layer, n);
-					for (int s = 0; s < p.joint.count; ++s)
+					for (int s = 0; s < p.joint.count(); ++s)
 						if (p.place(segmentOf(p.joint, s), 0)[1] > -edge / 2 + 1.5 * half) pairs::fail(p.joint, s, SegmentState::Tension);
 					ASSERT_EQ(p.joint.intact(), n);
 					p.second.placement.position[2] -= pressed / layer.kn;
@@ -714,7 +710,7 @@ TEST(JointTest, joint_one_segment_wide_is_no_hinge)
 			lower.contactLength.fill(layer.length), upper.contactLength.fill(layer.length);
 			for (const bool across : { true, false }) {
 				Pair p(lower, upper, above, below, mortar());
-				ASSERT_EQ(p.joint.count, 4);
+				ASSERT_EQ(p.joint.count(), 4);
 				p.second.move(across ? Vector3r(angle, 0, 0) : Vector3r(0, angle / 80, 0), { 0, 0, 0 }, { 0, 0, edge / 2 });
 				EXPECT_EQ(p.step().failures.tension, across && factor > 1 ? 4 : 0);
 			}
@@ -785,14 +781,14 @@ TEST(JointTest, dashpot_brakes_and_never_attracts)
 	for (Real speed : { -1e-3, 1e-4, 1e-2, 1. }) {
 		Pair p                  = cracked(depth);
 		p.springs.normalDamping = .2, p.springs.shearDamping = .1;
-		p.joint.springs                = p.springs.at(.001, .001);
+		p.joint.setMortar(p.springs.at(.001, .001), p.joint.shape->strength);
 		p.second.placement.velocity[2] = speed;
-		const Real expected            = std::max(0., weight - p.joint.springs.normalDashpot * edge * edge * speed);
+		const Real expected            = std::max(0., weight - p.joint.shape->springs.normalDashpot * edge * edge * speed);
 		EXPECT_NEAR(-p.step().loads[0].force[2], expected, 1e-7 * (weight + expected)) << speed;
 	}
 	Pair open                         = cracked(-depth);
 	open.springs.normalDamping        = .2;
-	open.joint.springs                = open.springs.at(.001, .001);
+	open.joint.setMortar(open.springs.at(.001, .001), open.joint.shape->strength);
 	open.second.placement.velocity[2] = -1; // closing, but not yet closed
 	EXPECT_EQ(open.step().loads[0].force.norm(), 0);
 }
@@ -802,13 +798,13 @@ TEST(JointTest, shear_dashpot_brakes_within_the_friction_limit)
 	for (Real speed : { 1e-6, 1e-3, 1. }) {
 		Pair p                         = cracked(depth);
 		p.springs.shearDamping         = .1;
-		p.joint.springs                = p.springs.at(.001, .001);
+		p.joint.setMortar(p.springs.at(.001, .001), p.joint.shape->strength);
 		p.second.placement.velocity[0] = speed;
-		const Real expected            = std::min(pairs::friction * weight, p.joint.springs.shearDashpot * edge * edge * speed);
+		const Real expected            = std::min(pairs::friction * weight, p.joint.shape->springs.shearDashpot * edge * edge * speed);
 		EXPECT_NEAR(p.step().loads[0].force[0], expected, 1e-7 * weight) << speed;
 	}
 	Pair moving                        = Pair::stacked(); // the intact joint has no dashpot
-	moving.joint.springs.normalDashpot = 1e9;
+	moving.joint.setMortar({ pairs::knThin, pairs::ksThin, 1e9, 0 }, unbreakable());
 	moving.second.placement.velocity   = { 1, 1, 1 };
 	EXPECT_LT(moving.step().loads[0].force.norm(), 1e-6);
 }
@@ -837,11 +833,11 @@ TEST(JointTest, tractions_shown_are_those_that_act)
 			const auto a   = p.step();
 			const auto m   = p.motion();
 			Vector3r   sum = Vector3r::Zero();
-			for (int s = 0; s < p.joint.count; ++s) {
+			for (int s = 0; s < p.joint.count(); ++s) {
 				const auto t = segmentTraction(p.joint, s, m, pairs::friction);
 				sum += segmentOf(p.joint, s).area * (t.normal * m.normal + t.shear);
 			}
-			EXPECT_LT((p.first.placement.rotation * sum - a.loads[0].force).norm(), 1e-12 * (1 + a.loads[0].force.norm()));
+			EXPECT_LT((sum - a.loads[0].force).norm(), 1e-12 * (1 + a.loads[0].force.norm()));
 		}
 	}
 }

@@ -104,13 +104,13 @@ private:
 };
 
 /// What a joint does, by body and node.
-inline std::array<Loads, 2> loadsOf(const Joint& joint, const JointMotion& motion, const JointLoads& found)
+inline std::array<Loads, 2> loadsOf(const Joint& joint, const JointLoads& found, const Body& first, const Body& second)
 {
 	std::array<Loads, 2> out;
 	for (int s = 0; s < 2; ++s) {
-		out[s].force = found.force[s], out[s].torque = found.torque[s];
-		for (int a = 0; a < 4 && motion.deformable[s]; ++a)
-			out[s].nodal[joint.faces[s].nodes[a]] = found.nodal[s].row(a);
+		const Body& b = s ? second : first;
+		out[s].force = found.forceOn(s), out[s].torque = found.torque[s];
+		if (joint.shape->faces[s].face >= 0) addNodalForces(joint, found, s, b.placement.rotation, out[s].nodal);
 	}
 	return out;
 }
@@ -122,6 +122,18 @@ inline JointMotion motionOf(const Joint& joint, const Body& first, const Body& s
 	return motion;
 }
 
+/// One step of a joint as it is placed.
+inline Failures
+stepJoint(Joint& joint, const PairSprings& springs, const Body& first, const Body& second, std::array<Loads, 2>& loads, PairSummary& sum)
+{
+	const JointMotion   motion = motionOf(joint, first, second);
+	const CornerVectors rate   = openingRate(joint, motion, first.side().placement, second.side().placement);
+	JointLoads          found;
+	const Failures      failures = jointLoads(joint, motion, rate, springs.tanFriction, found, sum);
+	loads                        = loadsOf(joint, found, first, second);
+	return failures;
+}
+
 /// Has a segment of a joint fail in a mode.
 inline void fail(Joint& joint, int segment, SegmentState mode)
 {
@@ -131,14 +143,14 @@ inline void fail(Joint& joint, int segment, SegmentState mode)
 }
 inline void failAll(Joint& joint, SegmentState mode)
 {
-	for (int s = 0; s < joint.count; ++s)
+	for (int s = 0; s < joint.count(); ++s)
 		fail(joint, s, mode);
 }
 
 inline std::vector<JointSegment> segmentsOf(const Joint& joint)
 {
 	std::vector<JointSegment> out;
-	for (int s = 0; s < joint.count; ++s)
+	for (int s = 0; s < joint.count(); ++s)
 		out.push_back(segmentOf(joint, s));
 	return out;
 }

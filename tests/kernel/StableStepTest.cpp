@@ -89,15 +89,12 @@ Matrix jointStiffness(const Brick& b0, int face0, const Brick& b1, int face1)
 	PairSprings springs = pairs::springs();
 	for (int s = 0; s < 2; ++s)
 		if ((s ? b1 : b0).body.support) springs = pairs::onSupport(springs, s);
-	joint->springs  = springs.at(b0.body.contactLength[face0], b1.body.contactLength[face1]);
-	joint->strength = { 1e30, 1e30, 1, 1e30, 1 };
+	joint->setMortar(springs.at(b0.body.contactLength[face0], b1.body.contactLength[face1]), { 1e30, 1e30, 1, 1e30, 1 });
 	const int  n0 = b0.size(), n = n0 + b1.size();
 	const auto forces = [&](const Body& x, const Body& y) {
-		JointLoads        found;
-		PairSummary       sum;
-		const JointMotion motion = pairs::motionOf(*joint, x, y);
-		jointLoads(*joint, motion, springs.tanFriction, x.placement.rotation, found, sum);
-		const auto loads = pairs::loadsOf(*joint, motion, found);
+		std::array<Loads, 2> loads;
+		PairSummary          sum;
+		pairs::stepJoint(*joint, springs, x, y, loads, sum);
 		Vector out(n);
 		out << b0.scaled(loads[0]), b1.scaled(loads[1]);
 		return out;

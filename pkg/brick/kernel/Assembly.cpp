@@ -73,7 +73,7 @@ namespace {
 	Joint unbreakable(Joint joint)
 	{
 		constexpr Real infinity = std::numeric_limits<Real>::infinity();
-		joint.strength          = { infinity, infinity, 0, infinity, 0 };
+		joint.setMortar(joint.shape->springs, { infinity, infinity, 0, infinity, 0 });
 		return joint;
 	}
 
@@ -132,8 +132,8 @@ void Assembly::addJoint(const AssembledJoint& j, Triplets& out) const
 	const std::array<Placement, 2> at { placement(j, 0, u[0]), placement(j, 1, u[1]) };
 	JointMotion                    m;
 	jointMotion(j.joint, at[0], at[1], m);
-	const Vector3r n = at[0].rotation * m.normal;
-	const Matrix3r D = j.joint.springs.shear * Matrix3r::Identity() + (j.joint.springs.normal - j.joint.springs.shear) * n * n.transpose();
+	const Vector3r n = m.normal;
+	const Matrix3r D = j.joint.shape->springs.shear * Matrix3r::Identity() + (j.joint.shape->springs.normal - j.joint.shape->springs.shear) * n * n.transpose();
 
 	const std::array<CornerVectors, 2>     corners { m.place, m.place + m.opening };
 	std::array<std::array<PointMap, 4>, 2> maps;
@@ -141,8 +141,8 @@ void Assembly::addJoint(const AssembledJoint& j, Triplets& out) const
 		if (j.bricks[side] < 0) continue;
 		const AssembledBrick& b = parts[j.bricks[side]];
 		for (int c = 0; c < 4; ++c) {
-			const Vector3r arm = at[0].position + at[0].rotation * Vector3r(corners[side].row(c)) - b.position;
-			maps[side][c]      = cornerMap(b, at[side].rotation, j.joint.faces[side], c, arm);
+			const Vector3r arm = at[0].position + Vector3r(corners[side].row(c)) - b.position;
+			maps[side][c]      = cornerMap(b, at[side].rotation, j.joint.shape->faces[side], c, arm);
 		}
 	}
 	for (int s = 0; s < 2; ++s)
@@ -152,7 +152,7 @@ void Assembly::addJoint(const AssembledJoint& j, Triplets& out) const
 			for (int c = 0; c < 4; ++c) {
 				PointMap moved = PointMap::Zero(3, maps[t][0].cols());
 				for (int d = 0; d < 4; ++d)
-					moved += j.joint.weight(c, d) * maps[t][d];
+					moved += j.joint.shape->weight(c, d) * maps[t][d];
 				block += (s == t ? 1 : -1) * maps[s][c].transpose() * (D * moved);
 			}
 			addBlock(out, places[j.bricks[s]], places[j.bricks[t]], block);
@@ -196,16 +196,21 @@ VectorX Assembly::internalForces() const
 		PairSummary          sum;
 		Joint                holding = unbreakable(j.joint);
 		jointMotion(holding, p0, p1, m);
-		jointLoads(holding, m, 0, p0.rotation, loads, sum);
+		jointLoads(holding, m, CornerVectors::Zero(), 0, loads, sum);
+		const std::array<const Placement*, 2> at { &p0, &p1 };
 		for (int side = 0; side < 2; ++side) {
 			if (j.bricks[side] < 0) continue;
-			const AssembledBrick& b  = parts[j.bricks[side]];
-			const int             at = places[j.bricks[side]];
-			forces.segment<3>(at) += loads.force[side];
-			forces.segment<3>(at + 3) += loads.torque[side];
-			for (int k = 0; k < b.coordinates() - 6; ++k)
-				for (int a = 0; a < 4; ++a)
-					forces[at + 6 + k] += b.modes->shapes.col(k).segment<3>(3 * j.joint.faces[side].nodes[a]).dot(loads.nodal[side].row(a));
+			const AssembledBrick& b     = parts[j.bricks[side]];
+			const int             place = places[j.bricks[side]];
+			forces.segment<3>(place) += loads.forceOn(side);
+			forces.segment<3>(place + 3) += loads.torque[side];
+			if (!b.modes) continue;
+			Nodes nodal;
+			nodal.fill(Vector3r::Zero());
+			addNodalForces(holding, loads, side, at[side]->rotation, nodal);
+			for (int k = 0; k < b.modes->count; ++k)
+				for (int a = 0; a < nodeCount; ++a)
+					forces[place + 6 + k] += b.modes->shapes.col(k).segment<3>(3 * a).dot(nodal[a]);
 		}
 	}
 	for (std::size_t i = 0; i < parts.size(); ++i)

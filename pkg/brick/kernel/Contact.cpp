@@ -335,22 +335,22 @@ ContactMemory tractionsOfJoint(const Joint& joint, const JointMotion& motion, Re
 	const std::array<const Side*, 2> sides { &side0, &side1 };
 	for (int s = 0; s < 2; ++s) {
 		if (sides[s]->support) continue;
-		const JointFace& jointFace = joint.faces[s];
+		const JointFace& jointFace = joint.shape->faces[s];
 		const Face&      face      = sides[s]->solid->faces[jointFace.face];
-		const int        n = sides[s]->segments, otherFace = faceNumber(joint.faces[!s], *sides[!s]->solid);
+		const int        n = sides[s]->segments, otherFace = faceNumber(joint.shape->faces[!s], *sides[!s]->solid);
 		for (int cell = 0; cell < n * n; ++cell) {
 			const Vector3r centre = face.at((2. * (cell % n) + 1) / n - 1, (2. * (cell / n) + 1) / n - 1);
 			// nearest segment of the joint; a cell that the joint does not reach will find no partner and forget it
 			int  nearest  = 0;
 			Real distance = std::numeric_limits<Real>::infinity();
-			for (int i = 0; i < joint.count; ++i) {
+			for (int i = 0; i < joint.count(); ++i) {
 				const JointSegment segment = segmentOf(joint, i);
 				const Vector3r     x       = jointFace.corners.transpose() * cornerWeights(segment.p, segment.q);
 				if ((x - centre).squaredNorm() < distance) distance = (x - centre).squaredNorm(), nearest = i;
 			}
 			const Vector3r onSide0 = segmentTraction(joint, nearest, motion, tanFriction).shear;
 			memory.keys.push_back(contactKey(s, jointFace.face, otherFace, cell));
-			memory.tractions.push_back(s == 0 ? onSide0 : Vector3r(-(motion.turn.transpose() * onSide0)));
+			memory.tractions.push_back((s == 0 ? 1 : -1) * (sides[s]->placement.rotation.transpose() * onSide0));
 		}
 	}
 	return memory;

@@ -392,18 +392,138 @@ namespace {
 		CutSegment(pair, vertices, start).addSpots(spots);
 	}
 
-	// ------------------------------------------------------------------------------------------------------- whole segments
+	// ------------------------------------------------------------------------------------------------- eight segments at once
 
-	/// Eight segments that lie inside the other body, with one nearest face each.
-	struct WholeSegments {
+	/// Eight segments, mostly neighbours in a row.
+	struct EightSegments {
+		const Vertices& vertices;
+		const int*      starts;
+		bool            adjacent;
+
+		BRICK_INLINE EightSegments(const Vertices& vertices, const int* starts)
+		        : vertices(vertices)
+		        , starts(starts)
+		        , adjacent(starts[lanes - 1] - starts[0] == lanes - 1)
+		{
+		}
+		/// Values at corner 0-3, in the order of a face's nodes.
+		BRICK_INLINE Lanes at(const Real* values, int corner) const
+		{
+			const Real* from = values + (corner == 1 || corner == 2) + (corner >= 2 ? vertices.stride : 0);
+			if (adjacent) return loadLanes(from + starts[0]);
+			Lanes x;
+			for (int lane = 0; lane < lanes; ++lane)
+				x[lane] = from[starts[lane]];
+			return x;
+		}
+	};
+
+	/// Where the middle of the part in contact is: weights of the segment's corners.
+	struct Middle {
+		Lanes weight[4], area;
+	};
+
+	/// Twice the area of triangles that two sides span.
+	BRICK_INLINE Lanes spanned(const Lanes (&u)[3], const Lanes (&v)[3])
+	{
+		Lanes sum {};
+		for (int i = 0; i < 3; ++i) {
+			const int   j = (i + 1) % 3, k = (i + 2) % 3;
+			const Lanes c = u[j] * v[k] - u[k] * v[j];
+			sum += c * c;
+		}
+		return root(sum);
+	}
+
+	/// Of whole segments: two triangles each, as a polygon of four vertices has.
+	BRICK_INLINE Middle middleOfWhole(const EightSegments& segments)
+	{
+		Lanes side[3][3]; // from corner 0 to the others
+		for (int i = 0; i < 3; ++i) {
+			const Lanes origin = segments.at(segments.vertices.place[i], 0);
+			for (int corner = 1; corner < 4; ++corner)
+				side[corner - 1][i] = segments.at(segments.vertices.place[i], corner) - origin;
+		}
+		const Lanes below = spanned(side[0], side[1]) / 2, above = spanned(side[1], side[2]) / 2, whole = below + above, third = allLanes(1. / 3);
+		return { { third, below / (3 * whole), third, above / (3 * whole) }, whole };
+	}
+
+	/// A vertex of a polygon in a segment: weights of the segment's corners, and place.
+	struct PolygonVertex {
+		Lanes weight[4], place[3];
+
+		/// On the side of the segment that leads from one corner to another.
+		BRICK_INLINE void set(const Lanes (&corners)[4][3], int from, int to, const Lanes& t)
+		{
+			for (int i = 0; i < 4; ++i)
+				weight[i] = i == from ? 1 - t : i == to ? t : Lanes {};
+			for (int i = 0; i < 3; ++i)
+				place[i] = corners[from][i] + t * (corners[to][i] - corners[from][i]);
+		}
+		BRICK_INLINE void replace(const Mask& where, const PolygonVertex& by)
+		{
+			for (int i = 0; i < 4; ++i)
+				weight[i] = where ? by.weight[i] : weight[i];
+			for (int i = 0; i < 3; ++i)
+				place[i] = where ? by.place[i] : place[i];
+		}
+	};
+
+	/// The fan of triangles about the first vertex of polygons, a vertex after the other; as ClippedPolygon does it.
+	struct Fan {
+		PolygonVertex first, last;
+		Mask          begun {};
+		Middle        sum {};
+
+		BRICK_INLINE void add(const PolygonVertex& next, const Mask& where)
+		{
+			if (!bitsOf(where)) return;
+			Lanes u[3], v[3];
+			for (int i = 0; i < 3; ++i)
+				u[i] = last.place[i] - first.place[i], v[i] = next.place[i] - first.place[i];
+			const Lanes triangle = where & begun ? spanned(u, v) / 2 : Lanes {};
+			sum.area += triangle;
+			for (int i = 0; i < 4; ++i)
+				sum.weight[i] += triangle / 3 * (first.weight[i] + last.weight[i] + next.weight[i]);
+			first.replace(where & ~begun, next);
+			last.replace(where, next);
+			begun |= where;
+		}
+	};
+
+	/// Of segments of which one face of the other body cuts something off; its heights at the corners.
+	BRICK_INLINE Middle middleOfCut(const EightSegments& segments, const Lanes (&height)[4])
+	{
+		Lanes x[4][3];
+		for (int corner = 0; corner < 4; ++corner)
+			for (int i = 0; i < 3; ++i)
+				x[corner][i] = segments.at(segments.vertices.place[i], corner);
+		Fan fan;
+		fan.first.set(x, 0, 0, Lanes {});
+		fan.last = fan.first;
+		for (int here = 0; here < 4; ++here) {
+			const int     next = (here + 1) % 4;
+			const Mask    in = height[here] < 0, crosses = in ^ (height[next] < 0);
+			PolygonVertex vertex;
+			vertex.set(x, here, next, Lanes {});
+			fan.add(vertex, in);
+			vertex.set(x, here, next, crosses ? height[here] / (height[here] - height[next]) : Lanes {});
+			fan.add(vertex, crosses);
+		}
+		for (auto& w : fan.sum.weight)
+			w /= fan.sum.area;
+		return fan.sum;
+	}
+
+	/// Spots of eight segments, each in contact with its nearest face.
+	struct EightSpots {
 		Real place[3][lanes], ownerNatural[2][lanes], otherNatural[2][lanes], penetration[lanes], area[lanes], nearest[lanes];
 
-		BRICK_INLINE WholeSegments(const FacePair&, const Vertices&, int first);
-		BRICK_INLINE void addSpot(const FacePair& pair, int segment, int lane, std::vector<ContactSpot>& spots) const
+		BRICK_INLINE void set(const FacePair&, const EightSegments&, const Middle&);
+		BRICK_INLINE void add(const FacePair& pair, int segment, int lane, std::vector<ContactSpot>& spots) const
 		{
-			const int otherFace = int(nearest[lane]);
 			if (!(area[lane] > 0) || !(penetration[lane] > 0)) return;
-			ContactSpot& spot = brick::addSpot(pair, segment, otherFace, spots);
+			ContactSpot& spot = addSpot(pair, segment, int(nearest[lane]), spots);
 			spot.position     = { place[0][lane], place[1][lane], place[2][lane] };
 			spot.ownerNatural = { ownerNatural[0][lane], ownerNatural[1][lane] };
 			spot.otherNatural = { otherNatural[0][lane], otherNatural[1][lane] };
@@ -412,29 +532,14 @@ namespace {
 		}
 	};
 
-	/// Two triangles each, as a polygon of four vertices has.
-	BRICK_INLINE WholeSegments::WholeSegments(const FacePair& pair, const Vertices& vertices, int first)
+	BRICK_INLINE void EightSpots::set(const FacePair& pair, const EightSegments& segments, const Middle& middle)
 	{
-		Lanes a[3], ab[3], ac[3], ad[3];
-		for (int i = 0; i < 3; ++i) {
-			const Real* x = vertices.place[i] + first;
-			a[i]          = loadLanes(x);
-			ab[i] = loadLanes(x + 1) - a[i], ac[i] = loadLanes(x + vertices.stride + 1) - a[i], ad[i] = loadLanes(x + vertices.stride) - a[i];
-		}
-		Lanes triangle[2] { Lanes {}, Lanes {} };
-		for (int i = 0; i < 3; ++i) {
-			const int   j = (i + 1) % 3, k = (i + 2) % 3;
-			const Lanes below = ab[j] * ac[k] - ab[k] * ac[j], above = ac[j] * ad[k] - ac[k] * ad[j];
-			triangle[0] += below * below, triangle[1] += above * above;
-		}
-		triangle[0] = root(triangle[0]) / 2, triangle[1] = root(triangle[1]) / 2;
-		const Lanes whole = triangle[0] + triangle[1], third = allLanes(1. / 3), b = triangle[0] / (3 * whole), d = triangle[1] / (3 * whole);
-		const auto  centre = [&](const Real* values) __attribute__((always_inline))
+		const auto& vertices = segments.vertices;
+		const auto  centre   = [&](const Real* values) __attribute__((always_inline))
 		{
-			const Real* v = values + first;
-			return third * (loadLanes(v) + loadLanes(v + vertices.stride + 1)) + (b * loadLanes(v + 1) + d * loadLanes(v + vertices.stride));
+			return (middle.weight[0] * segments.at(values, 0) + middle.weight[2] * segments.at(values, 2))
+			        + (middle.weight[1] * segments.at(values, 1) + middle.weight[3] * segments.at(values, 3));
 		};
-
 		Lanes x[3];
 		for (int i = 0; i < 3; ++i) {
 			x[i] = centre(vertices.place[i]);
@@ -455,41 +560,104 @@ namespace {
 		}
 		storeLanes(otherNatural[0], p), storeLanes(otherNatural[1], q);
 		storeLanes(penetration, -top), storeLanes(nearest, face);
-		storeLanes(area, pair.weight * cosine * whole);
+		storeLanes(area, pair.weight * cosine * middle.area);
 	}
 
 	// --------------------------------------------------------------------------------------------------------------- search
 
-	/// Eight segments: those that touch as a whole in bits 0-7, those that have to be cut in bits 8-15.
-	BRICK_INLINE unsigned classify(const FacePair& pair, const Vertices& vertices, int first)
+	/// How segments touch: as a whole, cut by one face, or otherwise.
+	enum class Touch : signed char { None, Whole, CutOnce, Other };
+
+	/// A sweep over the segments between some rows of vertices.
+	class Sweep {
+	public:
+		BRICK_INLINE Sweep(const FacePair& pair, const Vertices& vertices, std::vector<ContactSpot>& spots)
+		        : pair(pair)
+		        , vertices(vertices)
+		        , spots(spots)
+		{
+		}
+		BRICK_INLINE void run();
+
+	private:
+		BRICK_INLINE void classify(int first);
+		BRICK_INLINE void findCutOnce(int number);
+
+		const FacePair&           pair;
+		const Vertices&           vertices;
+		std::vector<ContactSpot>& spots;
+		Touch                     touch[Vertices::readable];
+		int                       cutOnce[Vertices::readable], cutBy[Vertices::readable]; ///< starts of segments, numbers of the cutting face
+		int                       cutOnceCount = 0;
+		EightSpots                cut;
+	};
+
+	/// Eight segments.
+	BRICK_INLINE void Sweep::classify(int first)
 	{
-		Lanes lowest[faceCount], highest[faceCount], floor = allLanes(-unbounded), ceiling = floor;
+		const Lanes one = allLanes(1.), zero {};
+		Lanes       lowest[faceCount], highest[faceCount], floor = allLanes(-unbounded);
 		for (int k = 0; k < pair.count; ++k) {
 			lowest[k] = vertices.lowest(vertices.height[k], first), highest[k] = vertices.highest(vertices.height[k], first);
-			floor = greater(floor, lowest[k]), ceiling = greater(ceiling, highest[k]);
+			floor = greater(floor, lowest[k]);
 		}
 		const unsigned touching = bitsOf(floor < 0);
-		if (!touching) return 0;
-		Lanes pressable {};
-		for (int k = 0; k < pair.count; ++k)
-			if (pair.cosine[pair.faces[k]] > leastCosine) pressable += highest[k] > floor ? allLanes(1.) : allLanes(0.);
-		const unsigned whole = touching & bitsOf((ceiling < 0) & (pressable < 2));
-		return whole | (touching & ~whole) << lanes;
+		Lanes          pressable {}, cuts {}, by {};
+		for (int k = 0; k < pair.count && touching; ++k) {
+			if (pair.cosine[pair.faces[k]] > leastCosine) pressable += highest[k] > floor ? one : zero;
+			cuts += highest[k] >= 0 ? one : zero, by += highest[k] >= 0 ? allLanes(Real(k)) : zero;
+		}
+		const unsigned whole = bitsOf((cuts == 0) & (pressable < 2)), once = bitsOf((cuts == 1) & (pressable < 2));
+		for (int lane = 0; lane < lanes; ++lane) {
+			const int i = first + lane;
+			touch[i]    = Touch::None;
+			if (!(touching >> lane & 1) || i >= vertices.starts() || vertices.segment[i] == Vertices::none) continue;
+			touch[i] = whole >> lane & 1 ? Touch::Whole : once >> lane & 1 ? Touch::CutOnce : Touch::Other;
+			if (touch[i] == Touch::CutOnce) cutOnce[cutOnceCount] = i, cutBy[cutOnceCount++] = int(by[lane]);
+		}
 	}
 
-	BRICK_INLINE void searchRows(const FacePair& pair, const Vertices& vertices, std::vector<ContactSpot>& spots)
+	/// The spots of this and the next seven segments that are cut once.
+	BRICK_INLINE void Sweep::findCutOnce(int number)
 	{
-		for (int first = 0; first < vertices.starts(); first += lanes) {
-			unsigned found = 0;
-			if (!(found = classify(pair, vertices, first))) continue;
-			WholeSegments whole(pair, vertices, first);
-			const int     end = std::min(lanes, vertices.starts() - first);
-			for (int lane = 0; lane < end; ++lane) {
-				const unsigned how = found >> lane & 0x101;
-				if (!how || vertices.segment[first + lane] == Vertices::none) continue;
-				if (how == 1) whole.addSpot(pair, vertices.segment[first + lane], lane, spots);
-				else
-					addCutSegment(pair, vertices, first + lane, spots);
+		const EightSegments eight(vertices, cutOnce + number);
+		Lanes               height[4];
+		for (int lane = 0; lane < lanes; ++lane) {
+			const Real *h = vertices.height[cutBy[number + lane]] + cutOnce[number + lane], *g = h + vertices.stride;
+			height[0][lane] = h[0], height[1][lane] = h[1], height[2][lane] = g[1], height[3][lane] = g[0];
+		}
+		cut.set(pair, eight, middleOfCut(eight, height));
+	}
+
+	BRICK_INLINE void Sweep::run()
+	{
+		const int starts = vertices.starts();
+		for (int first = 0; first < starts; first += lanes)
+			classify(first);
+		// the last group is filled up with its first, which is not one of a row then
+		const int last = cutOnceCount - cutOnceCount % lanes;
+		for (int i = cutOnceCount; i < last + lanes && i > last; ++i)
+			cutOnce[i] = cutOnce[last], cutBy[i] = cutBy[last];
+		const int together = cutOnceCount % lanes == 1 ? cutOnceCount - 1 : cutOnceCount; // one alone is cut sooner as a polygon
+		int       number   = 0;
+		for (int first = 0; first < starts; first += lanes) {
+			EightSpots whole;
+			bool       known = false;
+			for (int i = first; i < first + lanes; ++i) {
+				if (touch[i] == Touch::None) continue;
+				if (touch[i] == Touch::Whole) {
+					int here[lanes];
+					for (int lane = 0; lane < lanes; ++lane)
+						here[lane] = first + lane;
+					const EightSegments eight(vertices, here);
+					if (!known) whole.set(pair, eight, middleOfWhole(eight));
+					known = true;
+					whole.add(pair, vertices.segment[i], i - first, spots);
+				} else if (touch[i] == Touch::CutOnce && number < together) {
+					if (number % lanes == 0) findCutOnce(number);
+					cut.add(pair, vertices.segment[i], number++ % lanes, spots);
+				} else
+					addCutSegment(pair, vertices, i, spots);
 			}
 		}
 	}
@@ -505,7 +673,7 @@ namespace {
 			Vertices          vertices;
 			for (int row = pair.rows.begin; row < pair.rows.end; row += vertices.rows) {
 				vertices.fill(pair, row);
-				searchRows(pair, vertices, spots);
+				Sweep(pair, vertices, spots).run();
 			}
 			// by the other's faces; mostly there is only one
 			const auto inOrder = [](const ContactSpot& a, const ContactSpot& b) { return a.key < b.key; };

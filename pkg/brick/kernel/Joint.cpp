@@ -148,31 +148,19 @@ namespace {
 		return grid;
 	}
 
-	JointSegments arraysOf(const std::vector<JointSegment>& segments)
+	void takeSegments(const Grid& grid, JointShape& shape)
 	{
-		JointSegments out(int(segments.size()));
-		for (int s = 0; s < out.count(); ++s) {
-			out.row(JointSegments::P)[s]    = segments[s].p;
-			out.row(JointSegments::Q)[s]    = segments[s].q;
-			out.row(JointSegments::Area)[s] = segments[s].area;
-		}
-		return out;
-	}
-
-	void takeSegments(const Grid& grid, Joint& joint)
-	{
-		joint.rows      = grid.rows;
-		joint.count     = int(grid.segments.size());
-		joint.outermost = { 1, 0, 1, 0 };
-		if (!grid.whole) joint.segments = arraysOf(grid.segments);
-		for (int s = 0; s < joint.count; ++s) {
-			const JointSegment& segment = grid.segments[s];
-			const Vector4r      w       = cornerWeights(segment.p, segment.q);
-			joint.weight += segment.area * w * w.transpose();
-			joint.outermost = { std::min(joint.outermost[0], segment.p),
-				            std::max(joint.outermost[1], segment.p),
-				            std::min(joint.outermost[2], segment.q),
-				            std::max(joint.outermost[3], segment.q) };
+		shape.rows      = grid.rows;
+		shape.count     = int(grid.segments.size());
+		shape.outermost = { 1, 0, 1, 0 };
+		if (!grid.whole) shape.cut = grid.segments;
+		for (const JointSegment& segment : grid.segments) {
+			const Vector4r w = cornerWeights(segment.p, segment.q);
+			shape.weight += segment.area * w * w.transpose();
+			shape.outermost = { std::min(shape.outermost[0], segment.p),
+				            std::max(shape.outermost[1], segment.p),
+				            std::min(shape.outermost[2], segment.q),
+				            std::max(shape.outermost[3], segment.q) };
 		}
 	}
 
@@ -188,6 +176,7 @@ std::optional<Joint> joinFaces(const Side& side0, int face0, const Side& side1, 
 	const int      hostFace = swapped ? face1 : face0, guestFace = swapped ? face0 : face1;
 	const Plane    plane = planeOf(host, hostFace);
 	const Vector3r away  = plane.axis1.cross(plane.axis2);
+	JointShape     shape;
 	Joint          joint;
 	joint.restGap = guest.solid->faces[guestFace].normal.dot(bodyPoint(guest, plane.origin)) - guest.solid->faces[guestFace].offset;
 	if (!(std::abs(joint.restGap) <= tolerance)) return std::nullopt;
@@ -198,7 +187,7 @@ std::optional<Joint> joinFaces(const Side& side0, int face0, const Side& side1, 
 
 	const Grid grid = gridOf(a, b, lower, extent, std::min(segmentSize(host, hostFace), segmentSize(guest, guestFace)));
 	if (grid.segments.empty()) return std::nullopt;
-	takeSegments(grid, joint);
+	takeSegments(grid, shape);
 
 	// the guest's corners are moved along the host's normal to where the joint is `restGap` wide everywhere, so that nothing is strained at rest; a brick may be
 	// tilted a little, which mortar fills
@@ -207,27 +196,68 @@ std::optional<Joint> joinFaces(const Side& side0, int face0, const Side& side1, 
 	std::array<Vector3r, 4> onGuest;
 	for (int c = 0; c < 4; ++c)
 		onGuest[c] = onHost[c] + joint.restGap * away;
-	joint.faces[swapped]  = brickFace(host, hostFace, onHost);
-	joint.faces[!swapped] = guest.support ? supportFace(guest, guestFace, onGuest) : brickFace(guest, guestFace, onGuest);
-	joint.along           = side0.placement.rotation.transpose() * plane.axis1;
+	shape.faces[swapped]  = brickFace(host, hostFace, onHost);
+	shape.faces[!swapped] = guest.support ? supportFace(guest, guestFace, onGuest) : brickFace(guest, guestFace, onGuest);
+	shape.along           = side0.placement.rotation.transpose() * plane.axis1;
+	joint.shape           = std::make_shared<JointShape>(shape);
 	return joint;
+}
+
+void Joint::setMortar(const SpotSprings& springs, const MortarStrength& strength)
+{
+	shape           = std::make_shared<JointShape>(*shape);
+	shape->springs  = springs;
+	shape->strength = strength;
+}
+
+namespace {
+
+	bool same(const SpotSprings& a, const SpotSprings& b)
+	{
+		return a.normal == b.normal && a.shear == b.shear && a.normalDashpot == b.normalDashpot && a.shearDashpot == b.shearDashpot;
+	}
+
+	bool same(const MortarStrength& a, const MortarStrength& b)
+	{
+		return a.tension == b.tension && a.cohesion == b.cohesion && a.tanFriction == b.tanFriction && a.compression == b.compression
+		        && a.capShape == b.capShape;
+	}
+
+} // namespace
+
+bool alike(const JointShape& a, const JointShape& b, Real tolerance)
+{
+	const auto near  = [](const auto& x, const auto& y, Real by) { return ((x - y).array().abs() <= by).all(); };
+	const Real share = tolerance / std::sqrt(a.weight.sum()); // of numbers without a unit
+	for (int s = 0; s < 2; ++s) {
+		const JointFace &f = a.faces[s], &g = b.faces[s];
+		if (f.face != g.face || !near(f.corners, g.corners, tolerance) || !near(f.weights, g.weights, share) || !near(f.normal, g.normal, share)) return false;
+	}
+	return a.cut.empty() && b.cut.empty() && a.rows == b.rows && same(a.springs, b.springs) && same(a.strength, b.strength)
+	        && near(a.along, b.along, share) && near(a.weight, b.weight, share * a.weight.sum());
 }
 
 JointSegment segmentOf(const Joint& joint, int index)
 {
-	if (joint.segments.count() == 0)
-		return { (index % joint.rows[0] + .5) / joint.rows[0], (index / joint.rows[0] + .5) / joint.rows[1], joint.area() / joint.count, SegmentState::Intact };
-	const auto at = [&](JointSegments::Row row) { return joint.segments.row(row)[index]; };
-	return { at(JointSegments::P), at(JointSegments::Q), at(JointSegments::Area), SegmentState(int(at(JointSegments::State))) };
+	const JointShape& shape   = *joint.shape;
+	JointSegment      segment = !shape.cut.empty()
+	             ? shape.cut[index]
+	             : JointSegment { (index % shape.rows[0] + .5) / shape.rows[0], (index / shape.rows[0] + .5) / shape.rows[1], joint.area() / shape.count };
+	if (joint.segments.count() > 0) segment.state = SegmentState(int(joint.segments.row(JointSegments::State)[index]));
+	return segment;
 }
 
 void makeSegments(Joint& joint)
 {
 	if (joint.segments.count() > 0) return;
-	std::vector<JointSegment> segments;
-	for (int s = 0; s < joint.count; ++s)
-		segments.push_back(segmentOf(joint, s));
-	joint.segments = arraysOf(segments);
+	JointSegments arrays(joint.count());
+	for (int s = 0; s < arrays.count(); ++s) {
+		const JointSegment segment         = segmentOf(joint, s);
+		arrays.row(JointSegments::P)[s]    = segment.p;
+		arrays.row(JointSegments::Q)[s]    = segment.q;
+		arrays.row(JointSegments::Area)[s] = segment.area;
+	}
+	joint.segments = arrays;
 }
 
 namespace {
@@ -248,13 +278,13 @@ namespace {
 		return face.corners + face.weights * nodal(face, displacement);
 	}
 
-	/// Velocities of a face's corners, axes of side 0: of a body with this velocity and spin whose corners are at x from its position.
-	CornerVectors cornerRates(const JointFace& face, const CornerVectors& x, const Vector3r& velocity, const Vector3r& spin, const Matrix3r& turn, const Vector3r* rate)
+	/// Velocities of a body's corners at x from its position, world axes.
+	CornerVectors cornerRates(const JointFace& face, const CornerVectors& x, const Placement& p)
 	{
 		CornerVectors out;
 		for (int c = 0; c < 4; ++c)
-			out.row(c) = velocity + spin.cross(Vector3r(x.row(c)));
-		if (rate && face.face >= 0) out += face.weights * nodal(face, rate) * turn.transpose();
+			out.row(c) = p.velocity + p.angularVelocity.cross(Vector3r(x.row(c)));
+		if (p.displacementRate && face.face >= 0) out += face.weights * nodal(face, p.displacementRate) * p.rotation.transpose();
 		return out;
 	}
 
@@ -262,33 +292,35 @@ namespace {
 
 void jointMotion(const Joint& joint, const Placement& p0, const Placement& p1, JointMotion& m)
 {
-	const Matrix3r toFrame = p0.rotation.transpose();
-	m.turn                 = toFrame * p1.rotation;
-	m.offset               = toFrame * (p1.position - p0.position);
-	m.normal               = (joint.faces[0].normal - m.turn * joint.faces[1].normal).normalized();
-	m.place                = deformed(joint.faces[0], p0.displacement);
-	const CornerVectors x1 = deformed(joint.faces[1], p1.displacement) * m.turn.transpose();
-	m.opening              = x1.rowwise() + m.offset.transpose();
+	const JointShape& shape = *joint.shape;
+	m.offset                = p1.position - p0.position;
+	m.normal                = (p0.rotation * shape.faces[0].normal - p1.rotation * shape.faces[1].normal).normalized();
+	m.along                 = p0.rotation * shape.along;
+	m.place                 = deformed(shape.faces[0], p0.displacement) * p0.rotation.transpose();
+	m.opening               = deformed(shape.faces[1], p1.displacement) * p1.rotation.transpose();
+	m.opening.rowwise() += m.offset.transpose();
 	m.opening -= m.place;
-	m.deformable = { p0.displacement && joint.faces[0].face >= 0, p1.displacement && joint.faces[1].face >= 0 };
-	if (joint.holds()) return;
-	m.rate = cornerRates(joint.faces[1], x1, toFrame * (p1.velocity - p0.velocity), toFrame * p1.angularVelocity, m.turn, p1.displacementRate)
-	        - cornerRates(joint.faces[0], m.place, Vector3r::Zero(), toFrame * p0.angularVelocity, Matrix3r::Identity(), p0.displacementRate);
+}
+
+CornerVectors openingRate(const Joint& joint, const JointMotion& m, const Placement& p0, const Placement& p1)
+{
+	const CornerVectors x1 = (m.place + m.opening).rowwise() - m.offset.transpose();
+	return cornerRates(joint.shape->faces[1], x1, p1) - cornerRates(joint.shape->faces[0], m.place, p0);
 }
 
 namespace {
 
-	/// Normal and tangential axes of a joint, frame of side 0; they turn with the mean of both faces.
+	/// Normal and tangential axes of a joint; they turn with the mean of both faces.
 	struct Axes {
 		Vector3r normal, tangent1, tangent2;
 
-		Axes(const Joint& joint, const Vector3r& n)
-		        : normal(n)
+		explicit Axes(const JointMotion& m)
+		        : normal(m.normal)
 		{
 			constexpr Real upright = 1e-6; // p has turned into the normal
-			const Vector3r along   = joint.along - n * n.dot(joint.along);
-			tangent1               = along.norm() > upright ? Vector3r(along.normalized()) : Vector3r(n.unitOrthogonal());
-			tangent2               = n.cross(tangent1);
+			const Vector3r along   = m.along - normal * normal.dot(m.along);
+			tangent1               = along.norm() > upright ? Vector3r(along.normalized()) : Vector3r(normal.unitOrthogonal());
+			tangent2               = normal.cross(tangent1);
 		}
 	};
 
@@ -325,19 +357,19 @@ namespace {
 	{
 		constexpr Real hinge   = 10; // far beyond any stress of a joint that bends with its wall
 		const bool     cracked = !joint.holds();
-		sweep.bending          = joint.springs.normal * edge;
-		sweep.hingeTension     = cracked ? joint.strength.tension : hinge * joint.strength.tension;
+		sweep.bending          = joint.shape->springs.normal * edge;
+		sweep.hingeTension     = cracked ? joint.shape->strength.tension : hinge * joint.shape->strength.tension;
 		sweep.hingeShare       = cracked ? 0 : hinge;
 		sweep.hingeSign        = cracked ? 1 : 0;
 	}
 
-	SegmentSweep sweepOf(const Joint& joint, const JointMotion& m, const Axes& axes, Real tanFriction)
+	SegmentSweep sweepOf(const Joint& joint, const JointMotion& m, const Axes& axes, const CornerVectors& rate, Real tanFriction)
 	{
 		SegmentSweep sweep;
 		sweep.opening = openingOf(joint, m, axes);
-		if (!joint.holds()) sweep.rate = fieldOf(m.rate, axes);
-		sweep.springs     = joint.springs;
-		sweep.strength    = joint.strength;
+		if (!joint.holds()) sweep.rate = fieldOf(rate, axes);
+		sweep.springs     = joint.shape->springs;
+		sweep.strength    = joint.shape->strength;
 		sweep.tanFriction = tanFriction;
 		setHinge(joint, edgeOpening(joint, m), sweep);
 		return sweep;
@@ -346,7 +378,7 @@ namespace {
 	/// Opening at the outermost segments, a row each.
 	CornerVectors outermostOpening(const Joint& joint, const CornerVectors& d)
 	{
-		const auto& [p0, p1, q0, q1] = joint.outermost;
+		const auto& [p0, p1, q0, q1] = joint.shape->outermost;
 		auto edgePoint = [&d](int from, int to, Real t) { return Vector3r(d.row(from) + t * (d.row(to) - d.row(from))); };
 		const Vector3r low0 = edgePoint(0, 3, q0), low1 = edgePoint(1, 2, q0), high0 = edgePoint(0, 3, q1), high1 = edgePoint(1, 2, q1);
 		CornerVectors  out;
@@ -365,10 +397,10 @@ namespace {
 		penetration            = joint.restGap - un.minCoeff();
 		for (int c = 0; c < 4; ++c) {
 			const Vector3r ut    = Vector3r(d.row(c)) - un[c] * m.normal;
-			const Real     sigma = joint.springs.normal * (un[c] - joint.restGap), shear = joint.springs.shear * ut.norm();
-			if (failureMode(joint.strength, sigma, shear) != SegmentState::Intact) return false;
+			const Real     sigma = joint.shape->springs.normal * (un[c] - joint.restGap), shear = joint.shape->springs.shear * ut.norm();
+			if (failureMode(joint.shape->strength, sigma, shear) != SegmentState::Intact) return false;
 		}
-		if (joint.rows[0] > 1 && joint.rows[1] > 1) return true;
+		if (joint.shape->rows[0] > 1 && joint.shape->rows[1] > 1) return true;
 		SegmentSweep hinge;
 		setHinge(joint, edgeOpening(joint, m), hinge);
 		return hinge.bending <= hinge.hingeTension;
@@ -377,9 +409,9 @@ namespace {
 	/// Force on side 0 of a joint that holds, at the corners of its rectangle.
 	CornerVectors intactForce(const Joint& joint, const JointMotion& m)
 	{
-		const Real          kn = joint.springs.normal, ks = joint.springs.shear;
-		const CornerVectors mean   = joint.weight * m.opening;
-		const Vector4r      normal = (kn - ks) * (mean * m.normal) - kn * joint.restGap * joint.weight.rowwise().sum();
+		const Real          kn = joint.shape->springs.normal, ks = joint.shape->springs.shear;
+		const CornerVectors mean   = joint.shape->weight * m.opening;
+		const Vector4r      normal = (kn - ks) * (mean * m.normal) - kn * joint.restGap * joint.shape->weight.rowwise().sum();
 		return ks * mean + normal * m.normal.transpose();
 	}
 
@@ -396,11 +428,11 @@ namespace {
 	}
 
 	/// The same segment by segment, with all that can happen to them.
-	CornerVectors sweptForce(Joint& joint, const JointMotion& m, Real tanFriction, Real& penetration)
+	CornerVectors sweptForce(Joint& joint, const JointMotion& m, const CornerVectors& rate, Real tanFriction, Real& penetration)
 	{
 		makeSegments(joint);
-		const Axes        axes(joint, m.normal);
-		const SegmentSums sums = sweepSegments(joint.segments, sweepOf(joint, m, axes, tanFriction));
+		const Axes        axes(m);
+		const SegmentSums sums = sweepSegments(joint.segments, sweepOf(joint, m, axes, rate, tanFriction));
 		if (sums.anyFailed) joint.failures = countFailures(joint.segments);
 		penetration = sums.penetration;
 		return atCorners(sums.force.normal) * axes.normal.transpose() + atCorners(sums.force.tangent1) * axes.tangent1.transpose()
@@ -414,52 +446,56 @@ Real edgeOpening(const Joint& joint, const JointMotion& m)
 	// the opening's change over half a segment along the middle of the rectangle
 	const Vector4r un = m.opening * m.normal;
 	Real           edge = 0;
-	if (!joint.holds() || joint.rows[0] == 1) edge += std::abs((un[1] - un[0]) + (un[2] - un[3])) / (4 * joint.rows[0]);
-	if (!joint.holds() || joint.rows[1] == 1) edge += std::abs((un[3] - un[0]) + (un[2] - un[1])) / (4 * joint.rows[1]);
+	if (!joint.holds() || joint.shape->rows[0] == 1) edge += std::abs((un[1] - un[0]) + (un[2] - un[3])) / (4 * joint.shape->rows[0]);
+	if (!joint.holds() || joint.shape->rows[1] == 1) edge += std::abs((un[3] - un[0]) + (un[2] - un[1])) / (4 * joint.shape->rows[1]);
 	return edge;
 }
 
-Failures jointLoads(Joint& joint, const JointMotion& m, Real tanFriction, const Matrix3r& rotation0, JointLoads& loads, PairSummary& sum)
+Failures jointLoads(Joint& joint, const JointMotion& m, const CornerVectors& rate, Real tanFriction, JointLoads& loads, PairSummary& sum)
 {
 	const Failures before = joint.failures;
 	const bool     whole  = joint.holds() && keepsHolding(joint, m, sum.penetration);
-	const CornerVectors F = whole ? intactForce(joint, m) : sweptForce(joint, m, tanFriction, sum.penetration);
+	loads.force           = whole ? intactForce(joint, m) : sweptForce(joint, m, rate, tanFriction, sum.penetration);
 
 	const CornerVectors middle = m.place + m.opening / 2;
-	const Vector3r      force  = F.colwise().sum();
-	Vector3r            torque = Vector3r::Zero();
+	const Vector3r      force  = loads.forceOn(0);
+	loads.torque[0].setZero();
 	for (int c = 0; c < 4; ++c)
-		torque += Vector3r(middle.row(c)).cross(Vector3r(F.row(c)));
-	if (m.deformable[0]) loads.nodal[0] = joint.faces[0].weights.transpose() * F;
-	if (m.deformable[1]) loads.nodal[1] = -(joint.faces[1].weights.transpose() * (F * m.turn));
-	loads.force[0]  = rotation0 * force;
-	loads.force[1]  = -loads.force[0];
-	loads.torque[0] = rotation0 * torque;
-	loads.torque[1] = rotation0 * (m.offset.cross(force) - torque);
+		loads.torque[0] += Vector3r(middle.row(c)).cross(Vector3r(loads.force.row(c)));
+	loads.torque[1] = m.offset.cross(force) - loads.torque[0];
 
-	sum.area        = joint.area();
-	sum.normal      = rotation0 * m.normal;
-	sum.normalForce = -force.dot(m.normal) * sum.normal;
-	sum.shearForce  = loads.force[1] - sum.normalForce;
-	sum.point       = rotation0 * Vector3r(middle.transpose() * joint.weight.rowwise().sum() / sum.area);
-	sum.kn          = joint.springs.normal * sum.area;
-	sum.ks          = joint.springs.shear * sum.area;
+	const Vector4r areas = joint.shape->weight.rowwise().sum();
+	sum.area             = areas.sum();
+	sum.normal           = m.normal;
+	sum.normalForce      = -force.dot(m.normal) * m.normal;
+	sum.shearForce       = -force - sum.normalForce;
+	sum.point            = middle.transpose() * areas / sum.area;
+	sum.kn               = joint.shape->springs.normal * sum.area;
+	sum.ks               = joint.shape->springs.shear * sum.area;
 	return { joint.failures.tension - before.tension, joint.failures.shear - before.shear, joint.failures.compression - before.compression };
+}
+
+void addNodalForces(const Joint& joint, const JointLoads& loads, int side, const Matrix3r& rotation, Nodes& nodal)
+{
+	const JointFace&    face = joint.shape->faces[side];
+	const CornerVectors f    = (side == 0 ? 1 : -1) * (face.weights.transpose() * (loads.force * rotation));
+	for (int a = 0; a < 4; ++a)
+		nodal[face.nodes[a]] += f.row(a);
 }
 
 SegmentTraction segmentTraction(const Joint& joint, int index, const JointMotion& m, Real tanFriction)
 {
 	const JointSegment segment = segmentOf(joint, index);
-	const Axes         axes(joint, m.normal);
+	const Axes         axes(m);
 	const SegmentField opening = openingOf(joint, m, axes);
 	const Real         un = at(opening.normal, segment.p, segment.q);
 	Vector2r           ut(at(opening.tangent1, segment.p, segment.q), at(opening.tangent2, segment.p, segment.q));
-	Real               normal = joint.springs.normal * un;
-	if (segment.state == SegmentState::Intact) ut *= joint.springs.shear;
+	Real               normal = joint.shape->springs.normal * un;
+	if (segment.state == SegmentState::Intact) ut *= joint.shape->springs.shear;
 	else {
 		normal = std::min(0., normal);
 		ut -= Vector2r(joint.segments.row(JointSegments::Slip1)[index], joint.segments.row(JointSegments::Slip2)[index]);
-		ut *= joint.springs.shear;
+		ut *= joint.shape->springs.shear;
 		const Real limit = -normal * tanFriction;
 		if (ut.norm() > limit) ut *= limit / ut.norm();
 	}
@@ -470,16 +506,16 @@ Failures overloaded(const Joint& joint, const JointMotion& m)
 {
 	Joint tried = joint;
 	makeSegments(tried);
-	sweepSegments(tried.segments, sweepOf(tried, m, Axes(tried, m.normal), 0));
+	sweepSegments(tried.segments, sweepOf(tried, m, Axes(m), CornerVectors::Zero(), 0));
 	return countFailures(tried.segments);
 }
 
 Real jointEnergy(const Joint& joint, const JointMotion& m, Real tanFriction)
 {
 	Real energy = 0;
-	for (int s = 0; s < joint.count; ++s) {
+	for (int s = 0; s < joint.count(); ++s) {
 		const SegmentTraction t = segmentTraction(joint, s, m, tanFriction);
-		energy += segmentOf(joint, s).area / 2 * (t.normal * t.normal / joint.springs.normal + t.shear.squaredNorm() / joint.springs.shear);
+		energy += segmentOf(joint, s).area / 2 * (t.normal * t.normal / joint.shape->springs.normal + t.shear.squaredNorm() / joint.shape->springs.shear);
 	}
 	return energy;
 }

@@ -2,7 +2,7 @@
 // A mortar joint: the overlap of two faces that touched at the start, cut into segments, each with a restoring spring that can fail
 // and is then replaced, for good, by a contact spring and dashpot.                       [Furukawa2014, sections 2.1-2.4, eqs. (5)-(9)]
 //
-// Everything is computed in the frame of side 0. A point of the overlap is a material point of both faces, x0 and x1; d = x1 - x0 is split along the mean
+// Everything is computed in world axes, from the position of side 0. A point of the overlap is a material point of both faces, x0 and x1; d = x1 - x0 is split along the mean
 // normal n of both faces (it turns with the mean of the two rotations, which makes the springs conservative when the force acts half way between the points; a
 // common point keeps linear and angular momentum to round-off). JointSegments.hpp has the law of a segment.
 //
@@ -22,6 +22,7 @@
 #include "JointSegments.hpp"
 #include "Placement.hpp"
 
+#include <memory>
 #include <optional>
 
 namespace brick {
@@ -30,6 +31,9 @@ namespace brick {
 using CornerVectors = Eigen::Matrix<Real, 4, 3>;
 using CornerWeights = Eigen::Matrix<Real, 4, 4>;
 
+/// Bilinear weights of a rectangle's corners.
+inline Vector4r cornerWeights(Real p, Real q) { return { (1 - p) * (1 - q), p * (1 - q), p * q, (1 - p) * q }; }
+
 /// Segments that failed, by mode.
 struct Failures {
 	int tension = 0, shear = 0, compression = 0;
@@ -37,63 +41,75 @@ struct Failures {
 };
 
 struct JointFace {
-	int                face = -1;                          ///< of the brick; -1 on a support
-	std::array<int, 4> nodes { -1, -1, -1, -1 };           ///< -1 on a support, whose points do not move against it
-	CornerVectors      corners { CornerVectors::Zero() };  ///< of the rectangle at rest, body axes [m]; of the second face: moved to where the joint is restGap wide
-	CornerWeights      weights { CornerWeights::Zero() };  ///< of the face's nodes (columns) at the corners (rows)
-	Vector3r           normal { Vector3r::Zero() };        ///< outward, body axes
+	int                face = -1;                         ///< of the brick; -1 on a support
+	std::array<int, 4> nodes { -1, -1, -1, -1 };          ///< -1 on a support, whose points do not move against it
+	CornerVectors      corners { CornerVectors::Zero() }; ///< of the rectangle at rest, body axes [m]; of the second face: moved to where the joint is restGap wide
+	CornerWeights      weights { CornerWeights::Zero() }; ///< of the face's nodes (columns) at the corners (rows)
+	Vector3r           normal { Vector3r::Zero() };       ///< outward, body axes
 };
 
-struct Joint {
-	std::array<JointFace, 2> faces;
-	SpotSprings              springs;
-	MortarStrength           strength;
-	Vector3r                 along { Vector3r::Zero() };        ///< unit vector along p, frame of side 0 at rest
-	std::array<int, 2>       rows { 1, 1 };                     ///< of segments, along p and q
-	std::array<Real, 4>      outermost { 0, 0, 0, 0 };          ///< segments: least and largest p, least and largest q
-	CornerWeights            weight { CornerWeights::Zero() };  ///< sum over the segments of area times N N^T, N the bilinear weights of the corners [m2]
-	JointSegments            segments;                          ///< empty as long as they are a whole grid that holds
-	int                      count = 0;                         ///< segments
-	Failures                 failures;                          ///< so far
-	Real                     restGap = 0;                       ///< distance of the faces, at the centre of one, when they were joined [m]; taken as closed
-
-	bool exists() const { return count > 0; }
-	int  intact() const { return count - failures.total(); } ///< segments that hold
-	bool holds() const { return failures.total() == 0; }
-	Real area() const { return weight.sum(); } ///< [m2]
-};
-
-/// One segment of a joint, for readers.
+/// One segment of a joint.
 struct JointSegment {
 	Real         p = 0, q = 0;
 	Real         area  = 0; ///< [m2]
 	SegmentState state = SegmentState::Intact;
 };
+
+/// What does not change in a joint; joints alike share it.
+struct JointShape {
+	std::array<JointFace, 2>  faces;
+	SpotSprings               springs;
+	MortarStrength            strength;
+	Vector3r                  along { Vector3r::Zero() };       ///< unit vector along p, body axes of side 0
+	std::array<int, 2>        rows { 1, 1 };                    ///< of segments, along p and q
+	int                       count = 0;                        ///< segments
+	std::vector<JointSegment> cut;                              ///< the segments; empty when they are a whole grid
+	std::array<Real, 4>       outermost { 0, 0, 0, 0 };         ///< segments: least and largest p, least and largest q
+	CornerWeights             weight { CornerWeights::Zero() }; ///< sum over the segments of area times N N^T, N the bilinear weights of the corners [m2]
+};
+
+struct Joint {
+	std::shared_ptr<JointShape> shape;       ///< null when there is no joint; not to be written to
+	JointSegments               segments;    ///< empty as long as all hold
+	Failures                    failures;    ///< so far
+	Real                        restGap = 0; ///< distance of the faces, at the centre of one, when they were joined [m]; taken as closed
+
+	bool exists() const { return bool(shape); }
+	int  count() const { return shape ? shape->count : 0; }      ///< segments
+	int  intact() const { return count() - failures.total(); }   ///< segments that hold
+	bool holds() const { return failures.total() == 0; }
+	Real area() const { return shape->weight.sum(); } ///< [m2]
+	/// Gives the joint, alone, other springs and strength.
+	void setMortar(const SpotSprings&, const MortarStrength&);
+};
 JointSegment segmentOf(const Joint&, int index);
+
+/// Whether two joints could share a shape: lengths differ by round-off only.
+/// @param tolerance of lengths [m]
+bool alike(const JointShape&, const JointShape&, Real tolerance);
 
 /// Lays the segments out in arrays, if they are not yet.
 void makeSegments(Joint&);
-
-/// Bilinear weights of a rectangle's corners.
-inline Vector4r cornerWeights(Real p, Real q) { return { (1 - p) * (1 - q), p * (1 - q), p * q, (1 - p) * q }; }
 
 /// Joint of two faces if they touch: normals opposite within `angleTolerance` [rad], planes within `tolerance` [m], overlapping.
 /// Segments are cells of a grid along a brick's face edges that are as large as the smaller segments of the two faces; cells at the
 /// border are cut to the overlap. Allocates; for set-up.
 std::optional<Joint> joinFaces(const Side& side0, int face0, const Side& side1, int face1, Real tolerance, Real angleTolerance = 1e-3);
 
-/// A joint as it is placed: relative to side 0's position, in its frame.
+/// A joint as it is placed, world axes.
 struct JointMotion {
-	CornerVectors place;                             ///< of side 0's corners [m]
-	CornerVectors opening;                           ///< of side 1's corners, from side 0's [m]
-	CornerVectors rate { CornerVectors::Zero() };    ///< of the opening, only when some segment has failed [m/s]
+	CornerVectors place { CornerVectors::Zero() };   ///< of side 0's corners, from its position [m]
+	CornerVectors opening { CornerVectors::Zero() }; ///< of side 1's corners, from side 0's [m]
 	Vector3r      normal { Vector3r::Zero() };       ///< from side 0 to side 1
-	Matrix3r      turn { Matrix3r::Identity() };     ///< axes of side 1 to axes of side 0
-	Vector3r      offset { Vector3r::Zero() };       ///< position of side 1 [m]
+	Vector3r      along { Vector3r::Zero() };        ///< p, as side 0 has turned
+	Vector3r      offset { Vector3r::Zero() };       ///< position of side 1, from that of side 0 [m]
 
-	std::array<bool, 2> deformable { false, false }; ///< sides whose nodes take forces
+	Vector3r middle(Real p, Real q) const { return (place + opening / 2).transpose() * cornerWeights(p, q); } ///< of the joint, from side 0's position [m]
 };
 void jointMotion(const Joint&, const Placement& side0, const Placement& side1, JointMotion&);
+
+/// Rate of the opening at the corners, world axes [m/s]: what failed segments need.
+CornerVectors openingRate(const Joint&, const JointMotion&, const Placement& side0, const Placement& side1);
 
 /// Sums over an interaction, for its reader; forces act on side 1, world axes.
 struct PairSummary {
@@ -105,18 +121,22 @@ struct PairSummary {
 	Real     penetration = 0;             ///< largest [m]
 };
 
-/// What a joint does to its bodies.
+/// What a joint does to its bodies, world axes.
 struct JointLoads {
-	std::array<Vector3r, 2>      force;  ///< world axes [N]
-	std::array<Vector3r, 2>      torque; ///< about the bodies' positions, world axes [N m]
-	std::array<CornerVectors, 2> nodal;  ///< on the face's nodes, a row each, body axes [N]; only of deformable bricks
+	CornerVectors           force { CornerVectors::Zero() }; ///< on side 0 at the corners; side 1 takes the opposite [N]
+	std::array<Vector3r, 2> torque;                          ///< about the bodies' positions [N m]
+
+	Vector3r forceOn(int side) const { return (side == 0 ? 1 : -1) * force.colwise().sum().transpose(); } ///< [N]
 };
 
 /// Forces of all segments on both sides, failure, friction. Writes segments; allocates when the first one fails.
-/// @param rotation0 axes of side 0 to world axes
-Failures jointLoads(Joint&, const JointMotion&, Real tanFriction, const Matrix3r& rotation0, JointLoads& loads, PairSummary&);
+/// @param rate of the opening, when some segment has failed
+Failures jointLoads(Joint&, const JointMotion&, const CornerVectors& rate, Real tanFriction, JointLoads& loads, PairSummary&);
 
-/// Normal stress (tension positive) and shear stress vector (frame of side 0) on one segment, dashpots left out [Pa].
+/// Adds what a joint does to the nodes of one of its bodies, body axes [N].
+void addNodalForces(const Joint&, const JointLoads&, int side, const Matrix3r& rotation, Nodes& nodal);
+
+/// Normal stress (tension positive) and shear stress vector (world axes, on side 0) on one segment, dashpots left out [Pa].
 struct SegmentTraction {
 	Real     normal;
 	Vector3r shear;
