@@ -80,10 +80,10 @@ private:
 	template <class Value> void keep(Value value)
 	{
 		if (empty()) return;
-		Outline     kept;
-		int         n = 0, stored = outline.stored;
-		const Real  first = value(vertices[outline.order[0]]);
-		Real        a     = first;
+		Outline    kept;
+		int        n = 0, stored = outline.stored;
+		const Real first = value(vertices[outline.order[0]]);
+		Real       a     = first;
 		for (int i = 0; i < outline.count && stored < capacity; ++i) {
 			const int  here = outline.order[i], next = outline.order[i + 1 < outline.count ? i + 1 : 0];
 			const Real b = i + 1 < outline.count ? value(vertices[next]) : first;

@@ -166,13 +166,13 @@ namespace {
 		const Lanes greatestDepth = view.highestBulge - lowest;
 		if (bitsOf(greatestDepth <= 0)) return false;
 
-		highest             = greater(greater(cornerHeight(0), cornerHeight(1)), greater(cornerHeight(2), cornerHeight(3)));
-		const Vector3r n    = view.turn * view.owner.solid->faces[face].normal;
-		const Lanes cosines = -(view.normal[0] * n[0] + view.normal[1] * n[1] + view.normal[2] * n[2]), none = allLanes(unbounded);
-		const Mask  pressed = cosines > 0;
+		highest                = greater(greater(cornerHeight(0), cornerHeight(1)), greater(cornerHeight(2), cornerHeight(3)));
+		const Vector3r n       = view.turn * view.owner.solid->faces[face].normal;
+		const Lanes    cosines = -(view.normal[0] * n[0] + view.normal[1] * n[1] + view.normal[2] * n[2]), none = allLanes(unbounded);
+		const Mask     pressed = cosines > 0;
 		if (leastOf(pressed ? -highest : none) > leastOf(pressed ? none : greatestDepth)) return false;
 
-		Mask        bulges = pressed & (-highest <= leastOf(greatestDepth));
+		Mask bulges = pressed & (-highest <= leastOf(greatestDepth));
 		if (!view.other.placement.displacement) bulges = Mask {};
 		const Lanes least = bulges ? lowest - view.highestBulge : lowest, most = bulges ? highest - view.lowestBulge : highest;
 		const Mask  near = most >= mostOf(least);
@@ -195,9 +195,10 @@ namespace {
 		const Lanes zero = allLanes(0.), one = allLanes(1.);
 		const int   edges[2][2] = { { from0, to0 }, { from1, to1 } };
 		for (const auto& edge : edges) {
-			const Lanes from = cornerHeight(edge[0]) - view.highestBulge, to = cornerHeight(edge[1]) - view.highestBulge, crossing = from / (from - to);
-			begin = lesser(begin, from < 0 ? zero : to < 0 ? crossing : allLanes(2.));
-			end   = greater(end, to < 0 ? one : from < 0 ? crossing : allLanes(-1.));
+			const Lanes from = cornerHeight(edge[0]) - view.highestBulge, to = cornerHeight(edge[1]) - view.highestBulge,
+			            crossing = from / (from - to);
+			begin                = lesser(begin, from < 0 ? zero : to < 0 ? crossing : allLanes(2.));
+			end                  = greater(end, to < 0 ? one : from < 0 ? crossing : allLanes(-1.));
 		}
 		const Real first = mostOf(begin) * segments, last = leastOf(end) * segments;
 		if (!(first < last)) return { 0, 0 };

@@ -7,14 +7,14 @@
 
 namespace brick {
 
-constexpr int lanes = 8;
+constexpr int     lanes = 8;
 typedef Real      Lanes __attribute__((vector_size(lanes * sizeof(Real))));
 typedef long long Mask __attribute__((vector_size(lanes * sizeof(Real)))); ///< of comparisons: -1 where true
 
 constexpr Mask laneNumbers { 0, 1, 2, 3, 4, 5, 6, 7 };
 
 BRICK_INLINE Lanes allLanes(Real x) { return x - Lanes {}; }
-BRICK_INLINE Mask allLanes(long long x) { return x - Mask {}; }
+BRICK_INLINE Mask  allLanes(long long x) { return x - Mask {}; }
 
 BRICK_INLINE Lanes loadLanes(const Real* from)
 {
@@ -62,7 +62,7 @@ BRICK_INLINE unsigned bitsOf(const Mask& m)
 
 /// Coefficients of a field that is bilinear over a face, from its values at the four nodes: c0 + c1 xi + (c2 + c3 xi) eta.
 struct BilinearField {
-	Real c[4];
+	Real                 c[4];
 	static BilinearField of(Real v0, Real v1, Real v2, Real v3)
 	{
 		return { { ((v0 + v1) + (v2 + v3)) / 4, ((v1 - v0) + (v2 - v3)) / 4, ((v3 - v0) + (v2 - v1)) / 4, ((v0 - v1) + (v2 - v3)) / 4 } };

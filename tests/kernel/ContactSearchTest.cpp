@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The search that looks at eight segments at once, and at few of them, beside the plain one: every segment of every face cut as a polygon.
+#include "Pairs.hpp"
+
+#include <pkg/brick/kernel/ClippedPolygon.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+using namespace brick;
+using pairs::Body;
+using pairs::edge;
+
+namespace {
+
+constexpr Real leastCosine = .02; ///< as in the search
+constexpr int  heightEntry = 5;
+using Polygon              = ClippedPolygon<heightEntry + faceCount, 2 * faceCount>; ///< place, natural coordinates, heights
+
+/// The plain search of one side's faces.
+class PlainSearch {
+public:
+	PlainSearch(const Side& owner, const Side& other, int ownerIndex, std::vector<ContactSpot>& spots)
+	        : owner(owner)
+	        , other(other)
+	        , ownerIndex(ownerIndex)
+	        , weight(owner.support || other.support ? 1 : .5)
+	        , spots(spots)
+	{
+		if (owner.support) return;
+		for (face = 0; face < faceCount; ++face) {
+			findBulges();
+			for (int segment = 0; segment < owner.segments * owner.segments; ++segment)
+				search(segment);
+		}
+	}
+
+private:
+	/// How far a node of a face is displaced outwards.
+	Real lift(int f, int a) const
+	{
+		return other.placement.displacement ? other.solid->faces[f].normal.dot(other.placement.displacement[faceNodes[f][a]]) : 0;
+	}
+	Real meanLift(int f) const { return (lift(f, 0) + lift(f, 1) + lift(f, 2) + lift(f, 3)) / 4; }
+
+	/// Only of faces that can be pressed on, and that could be the nearest by the corners' heights over the mean planes, the bulging counts.
+	void findBulges()
+	{
+		std::array<Real, faceCount> leastDepth;
+		Real                        nearest = std::numeric_limits<Real>::infinity();
+		for (int f = 0; f < faceCount; ++f) {
+			Real lowest = std::numeric_limits<Real>::infinity(), highest = -lowest;
+			for (int a = 0; a < 4; ++a) {
+				const Real h = other.solid->faces[f].normal.dot(place(faceNodes[face][a])) - other.solid->faces[f].offset - meanLift(f);
+				lowest = std::min(lowest, h), highest = std::max(highest, h);
+			}
+			leastDepth[f] = -highest;
+			nearest       = std::min(nearest, std::max({ lift(f, 0), lift(f, 1), lift(f, 2), lift(f, 3) }) - meanLift(f) - lowest);
+		}
+		for (int f = 0; f < faceCount; ++f)
+			bulges[f] = cosine(f) > 0 && leastDepth[f] <= nearest;
+	}
+	Vector3r place(int node) const
+	{
+		Vector3r x = owner.solid->corners[node];
+		if (owner.placement.displacement) x += owner.placement.displacement[node];
+		const auto &mine = owner.placement, &its = other.placement;
+		return its.rotation.transpose() * (mine.rotation * x + mine.position - its.position);
+	}
+	Polygon::Vertex vertex(int column, int row) const
+	{
+		const Real      xi = 2. * column / owner.segments - 1, eta = 2. * row / owner.segments - 1;
+		const Vector4r  w = bilinear(xi, eta);
+		Vector3r        x = Vector3r::Zero();
+		Polygon::Vertex v;
+		for (int a = 0; a < 4; ++a)
+			x += w[a] * place(faceNodes[face][a]);
+		v.head<heightEntry>() << x, xi, eta;
+		for (int f = 0; f < faceCount; ++f) {
+			const Face&    target  = other.solid->faces[f];
+			const Vector2r natural = target.coordinates(x);
+			const Vector4r weights = bilinear(natural[0], natural[1]);
+			v[heightEntry + f]     = target.normal.dot(x) - target.offset;
+			for (int a = 0; a < 4; ++a)
+				v[heightEntry + f] -= bulges[f] ? weights[a] * lift(f, a) : meanLift(f) / 4;
+		}
+		return v;
+	}
+	Real cosine(int f) const
+	{
+		return -(owner.placement.rotation * owner.solid->faces[face].normal).dot(other.placement.rotation * other.solid->faces[f].normal);
+	}
+
+	void search(int segment)
+	{
+		const int  n = owner.segments, column = segment % n, row = segment / n;
+		const auto a = vertex(column, row), b = vertex(column + 1, row), c = vertex(column + 1, row + 1), d = vertex(column, row + 1);
+		Polygon    patch(a, b, c, d);
+		for (int f = 0; f < faceCount; ++f)
+			patch.keepNegative(heightEntry + f);
+		if (patch.empty()) return;
+		const Polygon::Vertex highest = a.cwiseMax(b).cwiseMax(c).cwiseMax(d), lowest = a.cwiseMin(b).cwiseMin(c).cwiseMin(d);
+		std::vector<int>      pressable;
+		for (int f = 0; f < faceCount; ++f)
+			if (cosine(f) > leastCosine && highest[heightEntry + f] > lowest.tail<faceCount>().maxCoeff()) pressable.push_back(f);
+		if (pressable.size() < 2) add(segment, patch, -1);
+		else
+			for (int f : pressable) {
+				Polygon part = patch;
+				for (int g : pressable)
+					if (g != f) part.keepAbove(heightEntry + f, heightEntry + g);
+				if (!part.empty()) add(segment, part, f);
+			}
+	}
+
+	void add(int segment, const Polygon& part, int expected)
+	{
+		Polygon::Vertex centre;
+		int             nearest;
+		const Real      area = part.areaAndCentroid(centre), penetration = -centre.tail<faceCount>().maxCoeff(&nearest);
+		if (!(area > 0) || !(penetration > 0) || cosine(nearest) <= 0 || (expected >= 0 && expected != nearest)) return;
+		ContactSpot spot;
+		spot.key   = contactKey(ownerIndex, face, nearest, segment);
+		spot.owner = ownerIndex, spot.ownerFace = face, spot.otherFace = nearest;
+		spot.position     = centre.head<3>();
+		spot.ownerNatural = centre.segment<2>(3);
+		spot.otherNatural = other.solid->faces[nearest].coordinates(spot.position);
+		spot.penetration  = penetration;
+		spot.area         = weight * cosine(nearest) * area;
+		spots.push_back(spot);
+	}
+
+	const Side &                owner, &other;
+	int                         ownerIndex, face = 0;
+	Real                        weight;
+	std::vector<ContactSpot>&   spots;
+	std::array<bool, faceCount> bulges;
+};
+
+/// Spots that press with this little are left out: whether round-off makes one is chance [m3].
+constexpr Real least = 1e-15;
+
+std::vector<ContactSpot> withoutSlivers(std::vector<ContactSpot> spots)
+{
+	spots.erase(std::remove_if(spots.begin(), spots.end(), [](const ContactSpot& s) { return s.area * s.penetration < least; }), spots.end());
+	return spots;
+}
+
+/// Number of spots compared.
+int expectPlainSpots(const Body& first, const Body& second, Real tolerance)
+{
+	const Side               side0 = first.side(), side1 = second.side();
+	std::vector<ContactSpot> found, plain;
+	findContact(side0, side1, found);
+	PlainSearch(side0, side1, 0, plain);
+	PlainSearch(side1, side0, 1, plain);
+	std::sort(plain.begin(), plain.end(), [](const ContactSpot& a, const ContactSpot& b) { return a.key < b.key; });
+	found = withoutSlivers(found), plain = withoutSlivers(plain);
+	EXPECT_EQ(found.size(), plain.size());
+	for (std::size_t i = 0; i < std::min(found.size(), plain.size()); ++i) {
+		const ContactSpot &a = found[i], &b = plain[i];
+		EXPECT_EQ(a.key, b.key);
+		EXPECT_LE((a.position - b.position).norm(), tolerance * edge);
+		EXPECT_LE(std::abs(a.penetration - b.penetration), tolerance * edge);
+		EXPECT_LE(std::abs(a.area - b.area), tolerance * edge * edge);
+		EXPECT_LE((a.ownerNatural - b.ownerNatural).norm() + (a.otherNatural - b.otherNatural).norm(), tolerance * 8);
+	}
+	return int(found.size());
+}
+
+/// Rigid: heights round to 3e-17 m, which places a cut at a slope of 1e-5 to 3e-12 m, some times more in slivers. Warped: a part may be divided into other
+/// triangles, the square of 1e-6 m of warping over small pieces.
+constexpr Real rigid = 1e-10, warped = 1e-8;
+
+} // namespace
+
+TEST(ContactSearchTest, spots_of_stacked_bricks_are_those_of_the_plain_search)
+{
+	pairs::Random random(21);
+	int           compared = 0;
+	for (int n : { 1, 3, 4, 10, 17, 64 })
+		for (const Vector2r& offset :
+		     { Vector2r(3e-6, -5e-6), Vector2r(.1, 4e-6), Vector2r(.063, -.041), Vector2r(.2 - 3e-6, 0), Vector2r(0, .2 + 1e-6) })
+			for (Real tilt : { 0., 1e-5, 1e-3, .03 })
+				for (bool deformed : { false, true }) {
+					Body lower = Body::cube({ 0, 0, 0 }, n), upper = Body::cube({ offset[0], offset[1], edge - 1e-5 }, n == 10 ? 4 : n);
+					upper.move(tilt * random.vector(1), { 0, 0, 0 }, upper.placement.position);
+					for (Body* b : { &lower, &upper }) {
+						b->deformable = deformed, b->displacement = random.nodes(1e-6);
+						b->move({ .3, -1.2, .8 }, { .3, .1, -.2 });
+					}
+					compared += expectPlainSpots(lower, upper, deformed ? warped : rigid);
+				}
+	EXPECT_GT(compared, 20000);
+}
+
+TEST(ContactSearchTest, spots_on_a_support_are_those_of_the_plain_search)
+{
+	pairs::Random random(22);
+	for (int n : { 4, 10 })
+		for (int trial = 0; trial < 20; ++trial) {
+			Body brick = Body::cube({ 3, 1, edge / 2 - 1e-5 }, n);
+			brick.move(random.vector(trial % 2 ? 1e-5 : .01), { 0, 0, 0 }, brick.placement.position);
+			brick.deformable = trial % 3, brick.displacement = random.nodes(1e-6);
+			expectPlainSpots(Body::slab({ 100, 100, 20 }, { 0, 0, -10 }), brick, brick.deformable ? warped : rigid);
+		}
+}
+
+TEST(ContactSearchTest, spots_of_edges_and_corners_are_those_of_the_plain_search)
+{
+	pairs::Random random(23);
+	int           compared = 0;
+	for (int trial = 0; trial < 400; ++trial) {
+		const auto size   = [&] { return Vector3r(random.between(.1, .3), random.between(.1, .3), random.between(.1, .3)); };
+		Body       first  = Body::cuboid(size(), { 0, 0, 0 }, 1 + int(random.between(0, 11.99)));
+		Body       second = Body::cuboid(size(), random.vector(.2), 1 + int(random.between(0, 11.99)));
+		first.move(random.turn()), second.move(random.turn(), { 0, 0, 0 }, second.placement.position);
+		compared += expectPlainSpots(first, second, rigid);
+	}
+	EXPECT_GT(compared, 5000);
+}
+
+/// The frustum of a pyramid: its sides are no parallelograms.
+TEST(ContactSearchTest, spots_of_tapered_bricks_are_those_of_the_plain_search)
+{
+	pairs::Random random(24);
+	Nodes         corners = cuboidCorners(Vector3r::Constant(edge));
+	for (auto& x : corners)
+		x.head<2>() *= x[2] > 0 ? .6 : 1;
+	const Vector3r centre = solidProperties(corners).centroid;
+	for (auto& x : corners)
+		x -= centre;
+	int compared = 0;
+	for (int trial = 0; trial < 40; ++trial) {
+		Body first(corners), second(corners);
+		second.segments           = 1 + trial % 11;
+		const Vector3r n          = first.solid.faces[1].normal;
+		second.placement.rotation = Eigen::AngleAxis<Real>(M_PI, n).toRotationMatrix()
+		        * Eigen::Quaternion<Real>::FromTwoVectors(second.solid.faces[1].normal, -n).toRotationMatrix();
+		second.placement.position = 2 * first.solid.distance(1) * n - 1e-5 * n;
+		second.move(random.vector(1e-4), random.vector(.01) - random.vector(.01).dot(n) * n, second.placement.position);
+		compared += expectPlainSpots(first, second, rigid);
+	}
+	EXPECT_GT(compared, 100);
+}
+
+TEST(ContactSearchTest, pairs_that_one_face_parts_are_told_at_once)
+{
+	std::vector<ContactSpot> spots;
+	for (Real gap : { 1e-12, 1e-6, 1e-2 })
+		for (int f = 0; f < faceCount; ++f) {
+			Body first = Body::cube(), second = Body::cube((edge + gap) * Vector3r(f / 2 == 0, f / 2 == 1, f / 2 == 2) * (f % 2 ? 1 : -1));
+			findContact(first.side(), second.side(), spots);
+			EXPECT_TRUE(spots.empty());
+		}
+}
