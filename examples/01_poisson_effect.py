@@ -91,7 +91,7 @@ def scene(poisson, inner, segments):
 	O.bodies.append(loader)
 	O.engines = [
 	        ForceResetter(),
-	        InsertionSortCollider([Bo1_Brick_Aabb(), Bo1_Wall_Aabb()], verletDist=0),
+	        InsertionSortCollider([Bo1_Brick_Aabb(), Bo1_Wall_Aabb()], verletDist=.01),
 	        InteractionLoop(
 	                [Ig2_Brick_Brick_BrickGeom(), Ig2_Wall_Brick_BrickGeom()],
 	                [Ip2_BrickMat_BrickMat_BrickPhys()],

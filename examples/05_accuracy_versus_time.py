@@ -62,7 +62,7 @@ def startScene(setting, young=9.8e6, poisson=0.25, breakable=False):
 	O.bodies.append(wall(0, axis=2, sense=1, material=clay))
 	O.engines = [
 	        ForceResetter(),
-	        InsertionSortCollider([Bo1_Brick_Aabb(), Bo1_Wall_Aabb(), Bo1_Box_Aabb()], verletDist=0),
+	        InsertionSortCollider([Bo1_Brick_Aabb(), Bo1_Wall_Aabb(), Bo1_Box_Aabb()], verletDist=.01),
 	        InteractionLoop(
 	                [Ig2_Brick_Brick_BrickGeom(), Ig2_Wall_Brick_BrickGeom(), Ig2_Box_Brick_BrickGeom()],
 	                [Ip2_BrickMat_BrickMat_BrickPhys(), Ip2_FrictMat_BrickMat_BrickPhys()],

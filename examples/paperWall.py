@@ -107,7 +107,7 @@ class WallRun:
 		self.newton = NewtonIntegrator(gravity=(0, 0, -gravity))
 		O.engines = [
 		        ForceResetter(),
-		        InsertionSortCollider([yade_brick.Bo1_Brick_Aabb(), Bo1_Wall_Aabb()], verletDist=0),
+		        InsertionSortCollider([yade_brick.Bo1_Brick_Aabb(), Bo1_Wall_Aabb()], verletDist=.01),
 		        InteractionLoop(
 		                [yade_brick.Ig2_Brick_Brick_BrickGeom(), yade_brick.Ig2_Wall_Brick_BrickGeom()],
 		                [yade_brick.Ip2_BrickMat_BrickMat_BrickPhys()],

@@ -98,6 +98,12 @@ private:
 };
 REGISTER_SERIALIZABLE(BrickPhys);
 
+/// An interaction's physics as that of bricks; null for any other.
+inline BrickPhys* asBrickPhys(const shared_ptr<IPhys>& phys)
+{
+	return phys && phys->getClassIndex() == BrickPhys::getClassIndexStatic() ? static_cast<BrickPhys*>(phys.get()) : nullptr;
+}
+
 class Ig2_Brick_Brick_BrickGeom : public IGeomFunctor {
 public:
 	bool go(const shared_ptr<Shape>&, const shared_ptr<Shape>&, const State&, const State&, const Vector3r&, const bool&, const shared_ptr<Interaction>&)

@@ -119,9 +119,8 @@ void BrickDynamics::findActing()
 		firstActing.push_back(int(acting.size()));
 		if (!b) continue;
 		for (const auto& item : b->intrs) {
-			const auto& phys = item.second->phys;
-			if (!phys || !item.second->geom || phys->getClassIndex() != BrickPhys::getClassIndexStatic()) continue;
-			if (static_cast<const BrickPhys&>(*phys).step == scene->iter) acting.push_back(phys);
+			const BrickPhys* phys = asBrickPhys(item.second->phys);
+			if (phys && item.second->geom && phys->step == scene->iter) acting.push_back(item.second->phys);
 		}
 	}
 	firstActing.push_back(int(acting.size()));

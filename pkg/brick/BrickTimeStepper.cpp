@@ -72,9 +72,9 @@ BrickTimeStepper::Partners BrickTimeStepper::partnersOf(const Body& b, const Bri
 	p.coverage.fill(0);
 	p.dashpotTime = dashpotTime(pairSprings(material, false, material).at(l1, l1));
 	for (const auto& item : b.intrs) {
-		const auto* phys = dynamic_cast<const BrickPhys*>(item.second->phys.get());
-		const auto* geom = dynamic_cast<const BrickGeom*>(item.second->geom.get());
-		if (!phys || !geom) continue;
+		const auto* phys = asBrickPhys(item.second->phys);
+		if (!phys || !item.second->geom) continue;
+		const auto* geom       = static_cast<const BrickGeom*>(item.second->geom.get());
 		const auto& other      = Body::byId(item.first, scene);
 		const bool  held       = !other->isDynamic();
 		Real        normal     = phys->springs.mortarNormal, shear = phys->springs.mortarShear;
@@ -94,7 +94,7 @@ BrickTimeStepper::Partners BrickTimeStepper::partnersOf(const Body& b, const Bri
 	return p;
 }
 
-Real BrickTimeStepper::stepOf(const Body& b, Brick& shape, const BrickMat& material, const Partners& partners)
+BrickTimeStepper::Step BrickTimeStepper::stepOf(const Body& b, Brick& shape, const BrickMat& material, const Partners& partners)
 {
 	const State&                                     state = *b.state;
 	const brick::InnerPart*                          inner = shape.innerPart(material);
@@ -115,10 +115,22 @@ Real BrickTimeStepper::stepOf(const Body& b, Brick& shape, const BrickMat& mater
 	if (shared.size() > mostShared) shared.clear();
 	auto found = shared.find(key);
 	if (found == shared.end()) {
-		const Real omegaSquared = brick::largestOmegaSquared(*shape.solid, springs, state.mass, state.inertia, inner ? &inner->modes : nullptr);
-		found                   = shared.emplace(key, brick::stableStep(omegaSquared, partners.dashpotTime)).first;
+		const auto fastest = brick::fastestMotion(*shape.solid, springs, state.mass, state.inertia, inner ? &inner->modes : nullptr);
+		found              = shared.emplace(key, Step { brick::stableStep(fastest.omegaSquared, partners.dashpotTime), fastest.face }).first;
 	}
 	return found->second;
+}
+
+/// Takes a brick into the limit as it is joined and touched now.
+void BrickTimeStepper::count(const Body& b, Brick& shape, const BrickMat& material, Scene* scene)
+{
+	Known&         last     = known[b.getId()];
+	const Partners partners = partnersOf(b, shape, material, scene);
+	if (shape.counted && last.isOf(material, *b.state) && last.partners == partners) return;
+	const Step step = stepOf(b, shape, material, partners);
+	if (step.seconds < limit) limit = step.seconds, limitingBrick = b.getId(), limitingFace = step.face;
+	last          = { material.young, material.poisson, b.state->mass, partners };
+	shape.counted = true;
 }
 
 void BrickTimeStepper::computeTimeStep(Scene* scene)
@@ -131,14 +143,9 @@ void BrickTimeStepper::computeTimeStep(Scene* scene)
 		Brick*      shape    = asBrick(b->shape);
 		const auto* material = asBrickMat(b->material);
 		if (!shape || !shape->solid || !material || !b->isDynamic() || !(b->state->mass > 0)) continue;
-		Known&      last    = known[b->getId()];
-		const Known present = { material->young, material->poisson, b->state->mass };
 		// without contact nothing has changed but joints that have failed, which only makes the brick softer
-		if (shape->counted && shape->contactStep != scene->iter && last == present) continue;
-		const Real step = stepOf(*b, *shape, *material, partnersOf(*b, *shape, *material, scene));
-		if (step < limit) limit = step, limitingBrick = b->getId();
-		shape->counted = true;
-		last           = present;
+		const bool unchanged = shape->counted && shape->contactStep != scene->iter && known[b->getId()].isOf(*material, *b->state);
+		if (!unchanged) count(*b, *shape, *material, scene);
 	}
 	if (limit < infinity) scene->dt = safety * limit;
 }

@@ -23,6 +23,7 @@ The step never grows during a run, so that a run continued from a file takes the
 		((Real, safety, .9, Attr::triggerPostLoad, "Fraction of the bound, in (0, 1]."))
 		((Real, limit, std::numeric_limits<Real>::infinity(), Attr::readonly, "The bound [s]; infinite before the first step."))
 		((int, limitingBrick, -1, Attr::readonly, "Id of the brick that sets it."))
+		((int, limitingFace, -1, Attr::readonly, "The face of that brick (0 to 5: -x, +x, -y, +y, -z, +z) whose springs store most of the motion that sets it."))
 	);
 	// clang-format on
 
@@ -32,17 +33,27 @@ private:
 		std::array<Real, 2>                normal, shear; // moving, held
 		Real                               dashpotTime;
 		std::array<Real, brick::faceCount> coverage; // how often each face is covered at present: 1, or more where partners overlap
+		bool                               operator==(const Partners& o) const
+		{
+			return normal == o.normal && shear == o.shear && dashpotTime == o.dashpotTime && coverage == o.coverage;
+		}
+	};
+	struct Step {
+		Real seconds = std::numeric_limits<Real>::infinity();
+		int  face    = -1;
 	};
 	/// What a brick was counted with.
 	struct Known {
-		Real young = 0, poisson = 0, mass = 0;
-		bool operator==(const Known& o) const { return young == o.young && poisson == o.poisson && mass == o.mass; }
+		Real     young = 0, poisson = 0, mass = 0;
+		Partners partners {};
+		bool     isOf(const BrickMat& m, const State& s) const { return young == m.young && poisson == m.poisson && mass == s.mass; }
 	};
 	std::vector<Known>                known;  // by id
-	std::map<std::vector<Real>, Real> shared; // steps of bricks alike
+	std::map<std::vector<Real>, Step> shared; // steps of bricks alike
 
 	static Partners partnersOf(const Body&, const Brick&, const BrickMat&, Scene*);
-	Real            stepOf(const Body&, Brick&, const BrickMat&, const Partners&);
+	Step            stepOf(const Body&, Brick&, const BrickMat&, const Partners&);
+	void            count(const Body&, Brick&, const BrickMat&, Scene*);
 };
 REGISTER_SERIALIZABLE(BrickTimeStepper);
 

@@ -207,7 +207,7 @@ def stepLimit(scene=None):
 	stepper = next((engine for engine in scene.engines if "BrickTimeStepper" in _kinds(engine)), None)
 	if stepper is None or not math.isfinite(stepper.limit):
 		return None
-	face = getattr(stepper, "limitingFace", -1)
+	face = stepper.limitingFace
 	name = list(_faceCorners)[face] if face >= 0 else None
 	body = scene.bodies[stepper.limitingBrick]
 	partners = _partners(scene, body, name) if name else []

@@ -130,7 +130,7 @@ Real boundOf(const Brick& b, const std::vector<int>& faces, Real twice = 2)
 		const SpotSprings s = pairs::springs().at(l, l);
 		springs[f]          = { twice * s.normal, twice * s.shear };
 	}
-	return largestOmegaSquared(b.body.solid, springs, b.mass, b.inertia, b.modes());
+	return fastestMotion(b.body.solid, springs, b.mass, b.inertia, b.modes()).omegaSquared;
 }
 
 const std::vector<int> allFaces { 0, 1, 2, 3, 4, 5 };
@@ -359,3 +359,15 @@ TEST(StableStepTest, dashpots_on_some_springs_only_need_no_shorter_step)
 }
 
 TEST(StableStepTest, no_spring_is_no_limit) { EXPECT_TRUE(std::isinf(stableStep(0, 0))); }
+
+TEST(StableStepTest, fastest_motion_names_the_face_with_the_stiffest_springs)
+{
+	for (const auto level : { Deformation::Rigid, Deformation::Uniform, Deformation::Trilinear })
+		for (int stiff = 0; stiff < faceCount; ++stiff) {
+			const Brick                        b = Brick::cube(.001, level);
+			std::array<FaceSprings, faceCount> springs;
+			springs.fill({ 1e6, 1e5 });
+			springs[stiff] = { 1e9, 1e8 };
+			EXPECT_EQ(fastestMotion(b.body.solid, springs, b.mass, b.inertia, b.modes()).face, stiff);
+		}
+}

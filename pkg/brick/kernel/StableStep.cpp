@@ -31,23 +31,35 @@ namespace {
 
 } // namespace
 
-Real largestOmegaSquared(const Hexahedron& solid, const std::array<FaceSprings, faceCount>& springs, Real mass, const Vector3r& inertia, const Modes* modes)
+FastestMotion fastestMotion(const Hexahedron& solid, const std::array<FaceSprings, faceCount>& springs, Real mass, const Vector3r& inertia, const Modes* modes)
 {
-	const int  size = 6 + (modes ? modes->count : 0);
-	Square     K    = Square::Zero(size, size);
-	const Real g    = 1 / std::sqrt(3.);
+	const int                     size = 6 + (modes ? modes->count : 0);
+	const Real                    g    = 1 / std::sqrt(3.);
+	std::array<Square, faceCount> byFace;
+	Square                        K = Square::Zero(size, size);
 	for (int f = 0; f < faceCount; ++f) {
 		const Face& face = solid.faces[f];
+		byFace[f].setZero(size, size);
 		for (int q = 0; q < 4; ++q) {
 			const Real     xi = q % 2 ? g : -g, eta = q / 2 ? g : -g;
 			const Real     area = (face.e1 + eta * face.e12).cross(face.e2 + xi * face.e12).norm(); // Gauss weight 1
 			const Matrix3r D
 			        = springs[f].shear * Matrix3r::Identity() + (springs[f].normal - springs[f].shear) * face.normal * face.normal.transpose();
 			const Rows J = pointMotion(solid, f, bilinear(xi, eta), mass, inertia, modes);
-			K.noalias() += area * J.transpose() * D * J;
+			byFace[f].noalias() += area * J.transpose() * D * J;
 		}
+		K += byFace[f];
 	}
-	return Eigen::SelfAdjointEigenSolver<Square>(K, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+	const Eigen::SelfAdjointEigenSolver<Square> solver(K);
+	const auto                                  fastest = solver.eigenvectors().col(size - 1);
+	FastestMotion                               out;
+	out.omegaSquared = solver.eigenvalues()[size - 1];
+	Real most        = 0;
+	for (int f = 0; f < faceCount; ++f) {
+		const Real share = fastest.dot(byFace[f] * fastest);
+		if (share > 1.001 * most) most = share, out.face = f; // the first of equals, whatever the rounding
+	}
+	return out;
 }
 
 Real stableStep(Real omegaSquared, Real dashpotTime)

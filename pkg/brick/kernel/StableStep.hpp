@@ -19,9 +19,15 @@ struct FaceSprings {
 	Real normal = 0, shear = 0;
 };
 
-/// Largest omega^2 [1/s2] of a brick whose faces stand on these springs all over. Allocates nothing.
+/// The motion of a brick that limits the step.
+struct FastestMotion {
+	Real omegaSquared = 0; ///< [1/s2]
+	int  face         = 0; ///< whose springs store the largest share of its energy
+};
+
+/// The motion of largest omega^2 of a brick whose faces stand on these springs all over. Allocates nothing.
 /// @param inertia principal moments [kg m2]   @param modes null for a rigid brick
-Real largestOmegaSquared(const Hexahedron&, const std::array<FaceSprings, faceCount>&, Real mass, const Vector3r& inertia, const Modes* modes);
+FastestMotion fastestMotion(const Hexahedron&, const std::array<FaceSprings, faceCount>&, Real mass, const Vector3r& inertia, const Modes* modes);
 
 /// Largest stable step of leap-frog with springs of frequency omega and dashpots that lag by half a step:
 ///     dt = 2/omega (sqrt(1 + xi^2) - xi),   xi = omega c / (2 k)
