@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# The same scene on one and on two threads: the same result to the last bit.
+# The same scene on one and on two threads, and with any vector instructions: the same result to the last bit.
 import os, re, unittest
 
 from buildYade import run
@@ -9,10 +9,10 @@ folder = os.path.dirname(os.path.abspath(__file__))
 
 class Threads(unittest.TestCase):
 
-	def collapse(self, threads, steps, verletDist, columns, courses):
+	def collapse(self, threads, steps, verletDist, columns, courses, **environment):
 		"""Runs collapse.py in a YADE of its own; dict of what it prints."""
 		scene = ['%g' % x for x in (steps, verletDist, columns, courses)]
-		process = run('-n', '-x', '-j%d' % threads, os.path.join(folder, 'collapse.py'), *scene, timeout=600)
+		process = run('-n', '-x', '-j%d' % threads, os.path.join(folder, 'collapse.py'), *scene, timeout=600, **environment)
 		self.assertEqual(process.returncode, 0, process.stdout + process.stderr)
 		found = dict(re.findall(r'^(threads|failures|fingerprint) (\w+)$', process.stdout, re.M))
 		self.assertEqual(int(found['threads']), threads)
@@ -31,6 +31,12 @@ class Threads(unittest.TestCase):
 
 	def test_more_bricks_than_one_thread_moves_alone(self):
 		self.check(250, .02, 16, 14)
+
+
+	def test_collapse_with_other_vector_instructions(self):
+		best = self.collapse(1, 3000, .02, 4, 4)
+		for limit in '01':
+			self.assertEqual(self.collapse(1, 3000, .02, 4, 4, YADE_BRICK_INSTRUCTION_SET=limit)['fingerprint'], best['fingerprint'])
 
 
 class Repeated(unittest.TestCase):

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Forces of the spots that findContact has found (ContactSearch.cpp), eight spots of a pair of faces at a time.
+// Forces of the spots that findContact has found (ContactSearch.cpp).
 #include "Contact.hpp"
-
-#include "Lanes.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -10,237 +8,6 @@
 namespace brick {
 
 namespace {
-
-	/// Three components of a vector.
-	struct Vectors {
-		Lanes                     x[3];
-		BRICK_INLINE Lanes&       operator[](int i) { return x[i]; }
-		BRICK_INLINE const Lanes& operator[](int i) const { return x[i]; }
-	};
-	BRICK_INLINE Lanes dot(const Vectors& a, const Vector3r& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-	BRICK_INLINE Lanes lengthOf(const Vectors& a) { return root(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
-
-	/// Coulomb's limit: what a vector of this length has to be multiplied with.
-	BRICK_INLINE Lanes shortening(const Lanes& length, const Lanes& largest) { return length > largest ? largest / length : allLanes(1.); }
-
-	/// The owner of spots and the other body, in whose axes and about whose position everything is computed.
-	struct OwnerAndOther {
-		const Side &owner, &other;
-		Matrix3r    turn;     ///< owner's axes to the other's
-		Vector3r    offset;   ///< from the owner's position to the other's
-		Vector3r    velocity; ///< of the owner's rigid motion at the other's position, relative to the other's
-		Vector3r    spin;     ///< relative angular velocity
-
-		OwnerAndOther(const Side& owner, const Side& other)
-		        : owner(owner)
-		        , other(other)
-		{
-			const Placement &mine = owner.placement, &its = other.placement;
-			const Matrix3r   toOther = its.rotation.transpose();
-			const Vector3r   between = its.position - mine.position;
-			turn                     = toOther * mine.rotation;
-			offset                   = toOther * between;
-			velocity                 = toOther * (mine.velocity + mine.angularVelocity.cross(between) - its.velocity);
-			spin                     = toOther * (mine.angularVelocity - its.angularVelocity);
-		}
-	};
-
-	/// Velocities that the deformation gives to a face: coefficients of bilinear fields.
-	struct RateField {
-		bool          any = false;
-		BilinearField component[3];
-
-		RateField(const Placement& at, int face)
-		        : any(at.displacementRate)
-		{
-			if (!any) return;
-			const auto&     n = faceNodes[face];
-			const Vector3r* v = at.displacementRate;
-			for (int i = 0; i < 3; ++i)
-				component[i] = BilinearField::of(v[n[0]][i], v[n[1]][i], v[n[2]][i], v[n[3]][i]);
-		}
-		void turn(const Matrix3r& rotation)
-		{
-			for (int c = 0; c < 4 && any; ++c) {
-				const Vector3r v = rotation * Vector3r(component[0].c[c], component[1].c[c], component[2].c[c]);
-				for (int i = 0; i < 3; ++i)
-					component[i].c[c] = v[i];
-			}
-		}
-	};
-
-	/// Spots of the same two faces.
-	struct Run {
-		const OwnerAndOther& bodies;
-		const ContactSpot*   spots;
-		int                  count;
-		SpotSprings          springs;
-		Real                 tanFriction, dt;
-		Vector3r             normal;
-		RateField            ownerRate, otherRate;
-
-		Run(const OwnerAndOther& bodies, const ContactSpot* spots, int count, const SpotSprings& springs, Real tanFriction, Real dt)
-		        : bodies(bodies)
-		        , spots(spots)
-		        , count(count)
-		        , springs(springs)
-		        , tanFriction(tanFriction)
-		        , dt(dt)
-		        , normal(bodies.other.solid->faces[spots->otherFace].normal)
-		        , ownerRate(bodies.owner.placement, spots->ownerFace)
-		        , otherRate(bodies.other.placement, spots->otherFace)
-		{
-			ownerRate.turn(bodies.turn);
-		}
-	};
-
-	/// Sums over a run; forces on the owner.
-	struct RunSums {
-		Lanes force[3] {}, torque[3] {};           ///< about the other's position
-		Lanes onOwner[3][3] {}, onOther[3][3] {};  ///< moments of the force with xi, eta, xi eta of either face
-		Lanes area {}, pressed {}, place[3] {};    ///< sums of area, area times pressure, area times place
-		Lanes deepest {};
-	};
-
-	/// Eight spots of a run; beyond its end the last one again, without area.
-	struct SpotLanes {
-		Lanes   area, penetration, xi, eta, p, q;
-		Vectors x;
-
-		BRICK_INLINE SpotLanes(const Run& run, int first)
-		{
-			for (int i = 0; i < lanes; ++i) {
-				const ContactSpot& spot = run.spots[std::min(first + i, run.count - 1)];
-				area[i] = spot.area, penetration[i] = spot.penetration;
-				xi[i] = spot.ownerNatural[0], eta[i] = spot.ownerNatural[1], p[i] = spot.otherNatural[0], q[i] = spot.otherNatural[1];
-				x[0][i] = spot.position[0], x[1][i] = spot.position[1], x[2][i] = spot.position[2];
-			}
-			area = laneNumbers < allLanes((long long)run.count - first) ? area : Lanes {};
-		}
-	};
-
-	/// Velocity of the owner at the spots relative to the other body.
-	BRICK_INLINE Vectors relativeVelocity(const Run& run, const SpotLanes& s)
-	{
-		const Vector3r &v = run.bodies.velocity, &w = run.bodies.spin;
-		Vectors         out;
-		for (int i = 0; i < 3; ++i) {
-			const int j = (i + 1) % 3, k = (i + 2) % 3;
-			out[i] = v[i] + (w[j] * s.x[k] - w[k] * s.x[j]);
-			if (run.ownerRate.any) out[i] += run.ownerRate.component[i].at(s.xi, s.eta);
-			if (run.otherRate.any) out[i] -= run.otherRate.component[i].at(s.p, s.q);
-		}
-		return out;
-	}
-
-	/// What friction holds, from the tractions of the step before (owner's axes), which are replaced by the present ones.
-	BRICK_INLINE Vectors elasticShear(const Run& run, const Vectors& sliding, const Lanes& limit, Vector3r* tractions, int count)
-	{
-		const Matrix3r& turn = run.bodies.turn;
-		Vectors         was, tau;
-		for (int lane = 0; lane < lanes; ++lane) {
-			const Vector3r& from = tractions[std::min(lane, count - 1)];
-			was[0][lane] = from[0], was[1][lane] = from[1], was[2][lane] = from[2];
-		}
-		for (int i = 0; i < 3; ++i)
-			tau[i] = turn(i, 0) * was[0] + turn(i, 1) * was[1] + turn(i, 2) * was[2];
-		const Lanes along = dot(tau, run.normal);
-		for (int i = 0; i < 3; ++i)
-			tau[i] = (tau[i] - along * run.normal[i]) - run.springs.shear * run.dt * sliding[i];
-		const Lanes held = shortening(lengthOf(tau), limit);
-		for (int i = 0; i < 3; ++i)
-			tau[i] *= held;
-		for (int i = 0; i < 3; ++i)
-			was[i] = turn(0, i) * tau[0] + turn(1, i) * tau[1] + turn(2, i) * tau[2];
-		for (int lane = 0; lane < std::min(lanes, count); ++lane)
-			tractions[lane] = { was[0][lane], was[1][lane], was[2][lane] };
-		return tau;
-	}
-
-	BRICK_INLINE void addGroup(const Run& run, int first, Vector3r* tractions, RunSums& sums)
-	{
-		const SpotLanes s(run, first);
-		const Vectors   velocity = relativeVelocity(run, s);
-		const Lanes     leaving  = dot(velocity, run.normal);
-		Vectors         sliding;
-		for (int i = 0; i < 3; ++i)
-			sliding[i] = velocity[i] - leaving * run.normal[i];
-		const Lanes pressure = greater(run.springs.normal * s.penetration - run.springs.normalDashpot * leaving, Lanes {}), limit = pressure * run.tanFriction;
-
-		Vectors shear = elasticShear(run, sliding, limit, tractions + first, run.count - first);
-		for (int i = 0; i < 3; ++i)
-			shear[i] -= run.springs.shearDashpot * sliding[i];
-		const Lanes kept = shortening(lengthOf(shear), limit), xiEta = s.xi * s.eta, pq = s.p * s.q;
-
-		Vectors force;
-		for (int i = 0; i < 3; ++i) {
-			force[i] = s.area * (pressure * run.normal[i] + shear[i] * kept);
-			sums.force[i] += force[i];
-			sums.onOwner[i][0] += s.xi * force[i], sums.onOwner[i][1] += s.eta * force[i], sums.onOwner[i][2] += xiEta * force[i];
-			sums.onOther[i][0] += s.p * force[i], sums.onOther[i][1] += s.q * force[i], sums.onOther[i][2] += pq * force[i];
-			sums.place[i] += s.area * s.x[i];
-		}
-		for (int i = 0; i < 3; ++i) {
-			const int j = (i + 1) % 3, k = (i + 2) % 3;
-			sums.torque[i] += s.x[j] * force[k] - s.x[k] * force[j];
-		}
-		sums.area += s.area, sums.pressed += s.area * pressure;
-		sums.deepest = greater(sums.deepest, s.penetration);
-	}
-
-	BRICK_ANY_INSTRUCTION_SET
-	void addGroups(const Run& run, Vector3r* tractions, RunSums& sums)
-	{
-		RunSums local;
-		for (int first = 0; first < run.count; first += lanes)
-			addGroup(run, first, tractions, local);
-		sums = local;
-	}
-
-	Vector3r sumOf(const Lanes (&x)[3]) { return { brick::sumOf(x[0]), brick::sumOf(x[1]), brick::sumOf(x[2]) }; }
-
-	/// Nodal forces from a force and its moments, weighted by sign.
-	void addNodal(Loads& loads, int face, const Vector3r& force, const Lanes (&moments)[3][3], Real sign, const Matrix3r* toBody)
-	{
-		Vector3r m[3];
-		for (int c = 0; c < 3; ++c)
-			m[c] = { brick::sumOf(moments[0][c]), brick::sumOf(moments[1][c]), brick::sumOf(moments[2][c]) };
-		for (int a = 0; a < 4; ++a) {
-			const Real     xi = a == 1 || a == 2 ? 1 : -1, eta = a >= 2 ? 1 : -1;
-			const Vector3r f  = sign / 4 * ((force + xi * m[0]) + (eta * m[1] + xi * eta * m[2]));
-			loads.nodal[faceNodes[face][a]] += toBody ? Vector3r(toBody->transpose() * f) : f;
-		}
-	}
-
-	/// Of all spots with one owner, in the other's axes.
-	struct OwnerSums {
-		Vector3r force { Vector3r::Zero() }, torque { Vector3r::Zero() }, normal { Vector3r::Zero() }, pressed { Vector3r::Zero() }, place { Vector3r::Zero() };
-		Real     area = 0;
-	};
-
-	void addRun(const Run& run, const RunSums& lane, Loads& onOwner, Loads& onOther, OwnerSums& sums, PairSummary& pair)
-	{
-		const Vector3r force = sumOf(lane.force);
-		const Real     area  = brick::sumOf(lane.area);
-		addNodal(onOwner, run.spots->ownerFace, force, lane.onOwner, 1, &run.bodies.turn);
-		addNodal(onOther, run.spots->otherFace, force, lane.onOther, -1, nullptr);
-		sums.force += force, sums.torque += sumOf(lane.torque), sums.place += sumOf(lane.place), sums.area += area;
-		sums.normal += area * run.normal, sums.pressed += brick::sumOf(lane.pressed) * run.normal;
-		pair.kn += area * run.springs.normal, pair.ks += area * run.springs.shear, pair.area += area;
-		pair.penetration = std::max(pair.penetration, mostOf(lane.deepest));
-	}
-
-	/// To world axes, once.
-	void addOwner(const OwnerAndOther& bodies, bool ownerIsFirst, const OwnerSums& sums, Loads& onOwner, Loads& onOther, PairSummary& pair)
-	{
-		const Matrix3r& axes  = bodies.other.placement.rotation;
-		const Vector3r  force = axes * sums.force;
-		onOwner.force += force, onOther.force -= force;
-		onOwner.torque += axes * (sums.torque + bodies.offset.cross(sums.force)), onOther.torque -= axes * sums.torque;
-		const Real towards1 = ownerIsFirst ? -1 : 1; // of the other's normal
-		pair.normal += towards1 * (axes * sums.normal), pair.normalForce += towards1 * (axes * sums.pressed);
-		pair.point += axes * (ownerIsFirst ? Vector3r(sums.place + sums.area * bodies.offset) : sums.place);
-	}
 
 	/// The tractions of the step before, spot by spot; zero where there was none.
 	void recall(const ContactMemory& memory, const std::vector<ContactSpot>& spots, ContactMemory& out)
@@ -263,6 +30,13 @@ namespace {
 
 } // namespace
 
+} // namespace brick
+
+#define BRICK_LANES_FILE "ContactLanes.hpp"
+#include "ForEachInstructionSet.hpp"
+
+namespace brick {
+
 SpotSprings springsOf(const ContactSpot& spot, const Side& side0, const Side& side1, const PairSprings& pair)
 {
 	const int face0 = spot.owner == 0 ? spot.ownerFace : spot.otherFace, face1 = spot.owner == 0 ? spot.otherFace : spot.ownerFace;
@@ -283,22 +57,7 @@ void contactLoads(
 	loads = { Loads(), Loads() };
 	recall(memory, spots, scratch);
 	std::swap(memory, scratch);
-	for (std::size_t first = 0; first < spots.size();) {
-		const int           owner = spots[first].owner;
-		const OwnerAndOther bodies(owner == 0 ? side0 : side1, owner == 0 ? side1 : side0);
-		OwnerSums           sums;
-		while (first < spots.size() && spots[first].owner == owner) {
-			std::size_t end = first + 1;
-			while (end < spots.size() && sameFaces(spots[first], spots[end]))
-				++end;
-			const Run run(bodies, &spots[first], int(end - first), springsOf(spots[first], side0, side1, pair), pair.tanFriction, dt);
-			RunSums   lane;
-			addGroups(run, &memory.tractions[first], lane);
-			addRun(run, lane, loads[owner], loads[!owner], sums, sum);
-			first = end;
-		}
-		addOwner(bodies, owner == 0, sums, loads[owner], loads[!owner], sum);
-	}
+	BRICK_BEST_INSTRUCTION_SET(addLoads)(side0, side1, spots, pair, dt, memory.tractions.data(), loads, sum);
 	sum.shearForce = loads[1].force - sum.normalForce;
 	if (sum.area > 0) sum.point /= sum.area;
 	if (sum.normal.norm() > 0) sum.normal.normalize();

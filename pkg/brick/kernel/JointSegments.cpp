@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "JointSegments.hpp"
 
-#include "InstructionSets.hpp"
-
 #include <algorithm>
 #include <limits>
 
@@ -10,119 +8,34 @@ namespace brick {
 
 namespace {
 
-	constexpr int lanes = JointSegments::lanes;
-	typedef Real      Lanes __attribute__((vector_size(lanes * sizeof(Real))));
-	typedef long long Mask __attribute__((vector_size(lanes * sizeof(Real))));
-
-	BRICK_INLINE Lanes all(Real x) { return x - Lanes {}; }
-	BRICK_INLINE Lanes load(const Real* from)
-	{
-		Lanes x;
-		__builtin_memcpy(&x, from, sizeof x);
-		return x;
-	}
-	BRICK_INLINE void store(Real* to, const Lanes& x) { __builtin_memcpy(to, &x, sizeof x); }
-	BRICK_INLINE Lanes root(const Lanes& x)
-	{
-		Lanes y;
-		for (int i = 0; i < lanes; ++i)
-			y[i] = __builtin_sqrt(x[i]);
-		return y;
-	}
-	/// Factor that shortens a vector of this length to a largest length.
-	BRICK_INLINE Lanes shortening(const Lanes& length, const Lanes& largest) { return length > largest ? largest / length : all(1); }
-
-	/// A field at the places of a group of segments.
-	BRICK_INLINE Lanes at(const Real (&c)[4], const Lanes& p, const Lanes& q, const Lanes& pq) { return c[0] + p * c[1] + (q * c[2] + pq * c[3]); }
-
-	/// Sums of a sweep, lane by lane.
-	struct LaneSums {
-		Lanes force[3][4] {}; ///< normal and tangential components: moments with 1, p, q, pq
-		Lanes deepest = all(-std::numeric_limits<Real>::infinity());
-		Mask  changed {};
+	/// Sums of a sweep over every eighth segment each: the same for vectors of any width.
+	struct EightSums {
+		Real force[3][4][JointSegments::lanes]; ///< normal and tangential components: moments with 1, p, q, pq
+		Real deepest[JointSegments::lanes];
+		bool changed = false;
 	};
-
-	BRICK_INLINE void addMoments(Lanes (&sums)[4], const Lanes& f, const Lanes& p, const Lanes& q, const Lanes& pq)
-	{
-		sums[0] += f;
-		sums[1] += p * f;
-		sums[2] += q * f;
-		sums[3] += pq * f;
-	}
-
-	/// Number of the mode in which each segment has failed: as it was, or eqs. (6)-(8) in this order, then the hinge rule.
-	BRICK_INLINE Lanes modeOf(const SegmentSweep& s, const Lanes& was, const Lanes& sigma, const Lanes& shear)
-	{
-		const Lanes magnitude = sigma < 0 ? -sigma : sigma;
-		Lanes       mode      = s.hingeTension + s.hingeShare * magnitude - s.hingeSign * sigma < s.bending ? all(1) : all(0);
-		mode = (sigma < 0) & (sigma * sigma + s.strength.capShape * shear * shear > s.strength.compression * s.strength.compression) ? all(3) : mode;
-		mode = shear + sigma * s.strength.tanFriction > s.strength.cohesion ? all(2) : mode;
-		mode = sigma > s.strength.tension ? all(1) : mode;
-		return was != 0 ? was : mode;
-	}
-
-	BRICK_INLINE void sweepGroup(JointSegments& segments, int first, const SegmentSweep& s, LaneSums& sums)
-	{
-		using S         = JointSegments;
-		const Lanes p = load(segments.row(S::P) + first), q = load(segments.row(S::Q) + first), area = load(segments.row(S::Area) + first), pq = p * q;
-		const Lanes un = at(s.opening.normal, p, q, pq), u1 = at(s.opening.tangent1, p, q, pq), u2 = at(s.opening.tangent2, p, q, pq);
-
-		// springs, elastic from the slip on
-		const Lanes sigma = s.springs.normal * un;
-		const Lanes v1 = s.springs.shear * (u1 - load(segments.row(S::Slip1) + first)), v2 = s.springs.shear * (u2 - load(segments.row(S::Slip2) + first));
-		const Lanes shear = root(v1 * v1 + v2 * v2);
-
-		const Lanes was = load(segments.row(S::State) + first), mode = area > 0 ? modeOf(s, was, sigma, shear) : was;
-		const Mask  failed = mode != 0;
-		sums.changed |= mode != was;
-		store(segments.row(S::State) + first, mode);
-
-		// contact of the failed; of those that fail in this step the rate does not count
-		const Lanes moving   = was != 0 ? all(1) : all(0);
-		const Lanes rn       = moving * at(s.rate.normal, p, q, pq);
-		const Lanes r1       = moving * at(s.rate.tangent1, p, q, pq), r2 = moving * at(s.rate.tangent2, p, q, pq);
-		const Lanes pushing  = -(sigma + s.springs.normalDashpot * rn);
-		const Lanes pressure = (un < 0) & (pushing > 0) ? pushing : all(0);
-		const Lanes limit    = pressure * s.tanFriction;
-		const Lanes held     = shortening(shear, limit);
-		const Lanes e1 = v1 * held, e2 = v2 * held;
-		const Lanes w1 = e1 + s.springs.shearDashpot * r1, w2 = e2 + s.springs.shearDashpot * r2;
-		const Lanes kept = shortening(root(w1 * w1 + w2 * w2), limit);
-		const Real  flexibility = 1 / s.springs.shear;
-		store(segments.row(S::Slip1) + first, failed ? u1 - e1 * flexibility : all(0));
-		store(segments.row(S::Slip2) + first, failed ? u2 - e2 * flexibility : all(0));
-
-		addMoments(sums.force[0], area * (failed ? -pressure : sigma), p, q, pq);
-		addMoments(sums.force[1], area * (failed ? w1 * kept : v1), p, q, pq);
-		addMoments(sums.force[2], area * (failed ? w2 * kept : v2), p, q, pq);
-		sums.deepest = (area > 0) & (-un > sums.deepest) ? -un : sums.deepest;
-	}
-
-	BRICK_ANY_INSTRUCTION_SET
-	void sweepAll(JointSegments& segments, const SegmentSweep& sweep, LaneSums& sums)
-	{
-		LaneSums local = sums;
-		for (int first = 0; first < segments.padded(); first += lanes)
-			sweepGroup(segments, first, sweep, local);
-		sums = local;
-	}
 
 } // namespace
 
-SegmentSums sweepSegments(JointSegments& segments, const SegmentSweep& sweep)
+} // namespace brick
+
+#define BRICK_LANES_FILE "JointSegmentsLanes.hpp"
+#include "ForEachInstructionSet.hpp"
+
+namespace brick {
+
+SegmentSums sweepSegments(JointSegments& segments, const SegmentSweep& input)
 {
-	LaneSums lane;
-	sweepAll(segments, sweep, lane);
+	EightSums eight;
+	BRICK_BEST_INSTRUCTION_SET(sweep)(segments, input, eight);
 	SegmentSums out;
-	out.penetration = -std::numeric_limits<Real>::infinity();
+	out.anyFailed   = eight.changed;
+	out.penetration = *std::max_element(eight.deepest, eight.deepest + JointSegments::lanes);
 	Real* const force[3] { out.force.normal, out.force.tangent1, out.force.tangent2 };
-	for (int i = 0; i < lanes; ++i) {
-		for (int c = 0; c < 3; ++c)
-			for (int m = 0; m < 4; ++m)
-				force[c][m] += lane.force[c][m][i];
-		out.penetration = std::max(out.penetration, lane.deepest[i]);
-		out.anyFailed |= lane.changed[i] != 0;
-	}
+	for (int c = 0; c < 3; ++c)
+		for (int m = 0; m < 4; ++m)
+			for (const Real lane : eight.force[c][m])
+				force[c][m] += lane;
 	return out;
 }
 

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Eight numbers at once, for code that is compiled for several instruction sets (InstructionSets.hpp). Operations are lane by lane, so every set gives the same.
-#pragma once
-
-#include "InstructionSets.hpp"
-#include "Types.hpp"
-
-namespace brick {
+// Eight numbers at once, for files that are included once for each instruction set (InstructionSets.hpp) and include this one. Operations are lane by lane, so
+// every set gives the same.
 
 constexpr int     lanes = 8;
 typedef Real      Lanes __attribute__((vector_size(lanes * sizeof(Real))));
@@ -69,5 +64,3 @@ struct BilinearField {
 	}
 	BRICK_INLINE Lanes at(const Lanes& xi, const Lanes& eta) const { return (c[0] + c[1] * xi) + (c[2] + c[3] * xi) * eta; }
 };
-
-} // namespace brick

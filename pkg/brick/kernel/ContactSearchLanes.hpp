@@ -1,0 +1,653 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The search of one body's faces for contact with another: included by ContactSearch.cpp once for each instruction set (InstructionSets.hpp).
+
+#include "EightLanes.hpp"
+
+/// Where a segment can press on several faces of the other body, it is divided into the parts nearest to each, unless it is nearly perpendicular to one:
+/// that one's part would press with the square of this cosine, and stacked bricks that lean a little would have the segments at their rims divided for nothing.
+constexpr Real leastCosine = .02;
+
+/// The owner's corners in the other body's frame, and the faces of that body; a lane for each face. Lanes that are no face are infinitely far above.
+struct View {
+	View(const Side& owner, const Side& other);
+
+	/// Some face of the other body has all corners of the owner outside.
+	bool apart() const
+	{
+		Lanes lowest = cornerHeights[0];
+		for (int a = 1; a < nodeCount; ++a)
+			lowest = lesser(lowest, cornerHeights[a]);
+		return bitsOf(lowest >= highestBulge) != 0;
+	}
+
+	const Side &  owner, &other;
+	Matrix3r      turn; ///< owner's axes to the other body's
+	Real          corners[nodeCount][3];
+	Lanes         cornerHeights[nodeCount]; ///< over the mean planes of the faces
+	Lanes         normal[3];
+	Lanes         highestBulge, lowestBulge; ///< of each face over its mean plane
+	BilinearField bulge[faceCount];          ///< only of deformable bodies
+
+private:
+	void lookAtFaces(Lanes& meanOffset);
+};
+
+View::View(const Side& owner, const Side& other)
+        : owner(owner)
+        , other(other)
+        , turn(other.placement.rotation.transpose() * owner.placement.rotation)
+{
+	Lanes meanOffset = allLanes(unbounded);
+	lookAtFaces(meanOffset);
+	const Vector3r offset = other.placement.rotation.transpose() * (owner.placement.position - other.placement.position);
+	for (int a = 0; a < nodeCount; ++a) {
+		const Vector3r x = offset + turn * (owner.solid->corners[a] + displacementOf(owner.placement, a));
+		for (int i = 0; i < 3; ++i)
+			corners[a][i] = x[i];
+		cornerHeights[a] = (normal[0] * x[0] + normal[1] * x[1] + normal[2] * x[2]) - meanOffset;
+	}
+}
+
+void View::lookAtFaces(Lanes& meanOffset)
+{
+	normal[0] = normal[1] = normal[2] = highestBulge = lowestBulge = Lanes {};
+	for (int f = 0; f < faceCount; ++f) {
+		const Face& face = other.solid->faces[f];
+		for (int i = 0; i < 3; ++i)
+			normal[i][f] = face.normal[i];
+		meanOffset[f] = face.offset;
+		if (!other.placement.displacement) continue;
+		Real up[4];
+		for (int a = 0; a < 4; ++a)
+			up[a] = face.normal.dot(other.placement.displacement[faceNodes[f][a]]);
+		bulge[f]        = BilinearField::of(up[0], up[1], up[2], up[3]);
+		const Real mean = bulge[f].c[0];
+		bulge[f].c[0]   = 0;
+		meanOffset[f] += mean;
+		highestBulge[f] = std::max(std::max(up[0], up[1]), std::max(up[2], up[3])) - mean;
+		lowestBulge[f]  = std::min(std::min(up[0], up[1]), std::min(up[2], up[3])) - mean;
+	}
+}
+
+/// Natural coordinates on a face, as Face::coordinates.
+BRICK_INLINE void coordinatesOn(const Face& face, const Lanes (&x)[3], Lanes& p, Lanes& q)
+{
+	if (face.parallelogram) {
+		Lanes d[3];
+		for (int i = 0; i < 3; ++i)
+			d[i] = x[i] - face.centre[i];
+		const Lanes one = allLanes(1.);
+		p               = greater(-one, lesser(face.dual1[0] * d[0] + face.dual1[1] * d[1] + face.dual1[2] * d[2], one));
+		q               = greater(-one, lesser(face.dual2[0] * d[0] + face.dual2[1] * d[1] + face.dual2[2] * d[2], one));
+		return;
+	}
+	for (int i = 0; i < lanes; ++i) {
+		const Vector2r natural = face.coordinates({ x[0][i], x[1][i], x[2][i] });
+		p[i] = natural[0], q[i] = natural[1];
+	}
+}
+
+/// Rows or columns of segments: the first, and the one after the last.
+struct Range {
+	int  begin, end;
+	bool empty() const { return begin >= end; }
+};
+
+/// One face of the owner and what it may meet.
+struct FacePair {
+	const View&   view;
+	int           ownerIndex, face;
+	Real          weight; ///< of the spots
+	int           segments;
+	Lanes         lowest, highest; ///< of the owner's face over the mean planes of the other body's
+	Real          cosine[lanes];   ///< between the owner's inward normal and the outward normal of each face of the other body
+	Range         rows, columns;   ///< where segments could touch
+	unsigned      bulging;         ///< faces of the other body whose bulging matters, a bit each
+	int           count;           ///< of the faces of the other body that cut the owner's or could be the nearest:
+	int           faces[faceCount];
+	BilinearField place[3], height[faceCount]; ///< of the owner's face; heights over `faces`
+
+	BRICK_INLINE FacePair(const View& view, int ownerIndex, int face, Real weight)
+	        : view(view)
+	        , ownerIndex(ownerIndex)
+	        , face(face)
+	        , weight(weight)
+	        , segments(view.owner.segments)
+	{
+	}
+	BRICK_INLINE const Lanes& cornerHeight(int a) const { return view.cornerHeights[faceNodes[face][a]]; }
+	BRICK_INLINE bool         canTouch();
+	BRICK_INLINE Range        nearOverlap(int from0, int to0, int from1, int to1) const;
+	BRICK_INLINE void         prepareFields();
+};
+
+/// Cheap refusal, by the corners alone: entirely beyond a face of the other body, or everywhere nearer to a face that it cannot press on.
+BRICK_INLINE bool FacePair::canTouch()
+{
+	lowest                    = lesser(lesser(cornerHeight(0), cornerHeight(1)), lesser(cornerHeight(2), cornerHeight(3)));
+	const Lanes greatestDepth = view.highestBulge - lowest;
+	if (bitsOf(greatestDepth <= 0)) return false;
+
+	highest                = greater(greater(cornerHeight(0), cornerHeight(1)), greater(cornerHeight(2), cornerHeight(3)));
+	const Vector3r n       = view.turn * view.owner.solid->faces[face].normal;
+	const Lanes    cosines = -(view.normal[0] * n[0] + view.normal[1] * n[1] + view.normal[2] * n[2]), none = allLanes(unbounded);
+	const Mask     pressed = cosines > 0;
+	if (leastOf(pressed ? -highest : none) > leastOf(pressed ? none : greatestDepth)) return false;
+
+	Mask bulges = pressed & (-highest <= leastOf(greatestDepth));
+	if (!view.other.placement.displacement) bulges = Mask {};
+	const Lanes least = bulges ? lowest - view.highestBulge : lowest, most = bulges ? highest - view.lowestBulge : highest;
+	const Mask  near = most >= mostOf(least);
+	if (!bitsOf(near & pressed)) return false;
+	storeLanes(cosine, cosines);
+	bulging             = bitsOf(bulges);
+	const unsigned meet = bitsOf(near | (most >= 0));
+	count               = 0;
+	for (int f = 0; f < faceCount; ++f)
+		if (meet >> f & 1) faces[count++] = f;
+	rows    = nearOverlap(0, 3, 1, 2);
+	columns = nearOverlap(0, 1, 3, 2);
+	return !rows.empty() && !columns.empty();
+}
+
+/// Rows (or columns) of which neither end is beyond a face of the other body, by two edges of the owner's face that run across them.
+BRICK_INLINE Range FacePair::nearOverlap(int from0, int to0, int from1, int to1) const
+{
+	Lanes       begin = allLanes(2.), end = allLanes(-1.);
+	const Lanes zero = allLanes(0.), one = allLanes(1.);
+	const int   edges[2][2] = { { from0, to0 }, { from1, to1 } };
+	for (const auto& edge : edges) {
+		const Lanes from = cornerHeight(edge[0]) - view.highestBulge, to = cornerHeight(edge[1]) - view.highestBulge,
+		            crossing = from / (from - to);
+		begin                = lesser(begin, from < 0 ? zero : to < 0 ? crossing : allLanes(2.));
+		end                  = greater(end, to < 0 ? one : from < 0 ? crossing : allLanes(-1.));
+	}
+	const Real first = mostOf(begin) * segments, last = leastOf(end) * segments;
+	if (!(first < last)) return { 0, 0 };
+	constexpr Real roundOff = 1e-9; // a segment more costs less than a sliver lost
+	return { std::max(0, int(first - roundOff)), std::min(segments, 1 + int(last + roundOff)) };
+}
+
+BRICK_INLINE void FacePair::prepareFields()
+{
+	const auto& nodes = faceNodes[face];
+	const auto& x     = view.corners;
+	for (int i = 0; i < 3; ++i)
+		place[i] = BilinearField::of(x[nodes[0]][i], x[nodes[1]][i], x[nodes[2]][i], x[nodes[3]][i]);
+	for (int k = 0; k < count; ++k) {
+		const int f = faces[k];
+		height[k]   = BilinearField::of(cornerHeight(0)[f], cornerHeight(1)[f], cornerHeight(2)[f], cornerHeight(3)[f]);
+	}
+}
+
+/// Vertices of segments, some rows of them, one after the other, with what varies over them.
+struct Vertices {
+	static constexpr int capacity = 256; ///< at least two rows of largestSegments + 1
+	static constexpr int readable = capacity + largestSegments + 3 * lanes;
+	static constexpr int none     = -1;
+
+	int  stride, rows;      ///< rows of segments
+	int  segment[readable]; ///< that starts at a vertex, or none
+	Real xi[readable], eta[readable], place[3][readable], height[faceCount][readable];
+
+	BRICK_INLINE void  fill(const FacePair&, int firstRow);
+	BRICK_INLINE void  fillLanes(const FacePair&, int first);
+	BRICK_INLINE Lanes lowest(const Real* values, int first) const
+	{
+		return lesser(
+		        lesser(loadLanes(values + first), loadLanes(values + first + 1)),
+		        lesser(loadLanes(values + first + stride), loadLanes(values + first + stride + 1)));
+	}
+	BRICK_INLINE Lanes highest(const Real* values, int first) const
+	{
+		return greater(
+		        greater(loadLanes(values + first), loadLanes(values + first + 1)),
+		        greater(loadLanes(values + first + stride), loadLanes(values + first + stride + 1)));
+	}
+	int starts() const { return rows * stride - 1; } ///< vertices at which segments may start
+};
+
+/// As many rows as there is room for.
+BRICK_INLINE void Vertices::fill(const FacePair& pair, int first)
+{
+	const int n = pair.segments;
+	stride      = pair.columns.end - pair.columns.begin + 1;
+	rows        = std::min(pair.rows.end - first, capacity / stride - 1);
+	int i       = 0;
+	for (int row = first; row <= first + rows; ++row)
+		for (int column = pair.columns.begin; column <= pair.columns.end; ++column, ++i)
+			xi[i] = 2. * column / n - 1, eta[i] = 2. * row / n - 1, segment[i] = column < pair.columns.end ? row * n + column : none;
+	const int count = i;
+	for (; i < count + lanes; ++i)
+		xi[i] = eta[i] = 0;
+	for (i = 0; i < count; i += lanes)
+		fillLanes(pair, i);
+}
+
+BRICK_INLINE void Vertices::fillLanes(const FacePair& pair, int first)
+{
+	const Lanes u = loadLanes(xi + first), v = loadLanes(eta + first);
+	Lanes       x[3];
+	for (int i = 0; i < 3; ++i) {
+		x[i] = pair.place[i].at(u, v);
+		storeLanes(place[i] + first, x[i]);
+	}
+	for (int k = 0; k < pair.count; ++k) {
+		Lanes h = pair.height[k].at(u, v);
+		if (pair.bulging >> pair.faces[k] & 1) {
+			Lanes p, q;
+			coordinatesOn(pair.view.other.solid->faces[pair.faces[k]], x, p, q);
+			h -= pair.view.bulge[pair.faces[k]].at(p, q);
+		}
+		storeLanes(height[k] + first, h);
+	}
+}
+
+/// Spot of the part of a segment, still without its places.
+BRICK_INLINE ContactSpot& addSpot(const FacePair& pair, int segment, int otherFace, std::vector<ContactSpot>& spots)
+{
+	spots.emplace_back();
+	ContactSpot& spot = spots.back();
+	spot.key          = contactKey(pair.ownerIndex, pair.face, otherFace, segment);
+	spot.owner        = pair.ownerIndex;
+	spot.ownerFace    = pair.face;
+	spot.otherFace    = otherFace;
+	return spot;
+}
+
+// ------------------------------------------------------------------------------------------------ segments that are cut
+
+/// A segment that is cut, or that is nearest to more than one face. Only the faces that matter to it are carried along.
+class CutSegment {
+public:
+	CutSegment(const FacePair& pair, const Vertices& vertices, int start)
+	        : pair(pair)
+	        , vertices(vertices)
+	        , start(start)
+	{
+		Real floor = -unbounded;
+		Real lowest[faceCount], highest[faceCount];
+		for (int k = 0; k < pair.count; ++k) {
+			const Real *h = vertices.height[k] + start, *g = h + vertices.stride;
+			lowest[k]  = std::min(std::min(h[0], h[1]), std::min(g[0], g[1]));
+			highest[k] = std::max(std::max(h[0], h[1]), std::max(g[0], g[1]));
+			floor      = std::max(floor, lowest[k]);
+		}
+		for (int k = 0; k < pair.count; ++k) {
+			if (highest[k] < 0 && highest[k] < floor) continue;
+			if (highest[k] >= 0) cuts |= 1 << count;
+			if (pair.cosine[pair.faces[k]] > leastCosine && highest[k] > floor) pressable[pressableCount++] = count;
+			which[count++] = k;
+		}
+	}
+	void addSpots(std::vector<ContactSpot>& spots) const
+	{
+		if (heightEntry + count <= lanes) addSpotsOf<lanes>(spots);
+		else
+			addSpotsOf<heightEntry + faceCount>(spots);
+	}
+
+private:
+	static constexpr int naturalEntry = 3, heightEntry = 5, anyFace = -1; ///< of a vertex
+
+	template <int dimensions> void addSpotsOf(std::vector<ContactSpot>& spots) const
+	{
+		ClippedPolygon<dimensions, 2 * faceCount> polygon;
+		for (int corner = 0; corner < 4; ++corner)
+			fill(polygon.vertex(corner), start + (corner == 1 || corner == 2) + (corner >= 2 ? vertices.stride : 0));
+		for (int i = 0; i < count; ++i)
+			if (cuts >> i & 1) polygon.keepNegative(heightEntry + i);
+		if (polygon.empty()) return;
+		if (pressableCount < 2) {
+			addPart(polygon, anyFace, spots);
+			return;
+		}
+		const auto whole = polygon.present();
+		for (int i = 0; i < pressableCount; ++i) {
+			polygon.goBackTo(whole);
+			for (int j = 0; j < pressableCount; ++j)
+				if (j != i) polygon.keepAbove(heightEntry + pressable[i], heightEntry + pressable[j]);
+			if (!polygon.empty()) addPart(polygon, pressable[i], spots);
+		}
+	}
+
+	template <class Vertex> void fill(Vertex& v, int vertex) const
+	{
+		for (int i = 0; i < 3; ++i)
+			v[i] = vertices.place[i][vertex];
+		v[naturalEntry] = vertices.xi[vertex], v[naturalEntry + 1] = vertices.eta[vertex];
+		for (int i = 0; i < count; ++i)
+			v[heightEntry + i] = vertices.height[which[i]][vertex];
+		for (int i = heightEntry + count; i < v.size(); ++i)
+			v[i] = 0;
+	}
+
+	/// @param expected the nearest face, otherwise there is no spot; or anyFace
+	template <class Polygon> void addPart(const Polygon& polygon, int expected, std::vector<ContactSpot>& spots) const
+	{
+		typename Polygon::Vertex centre;
+		const Real               area    = polygon.areaAndCentroid(centre);
+		int                      nearest = 0;
+		for (int i = 1; i < count; ++i)
+			if (centre[heightEntry + i] > centre[heightEntry + nearest]) nearest = i;
+		const Real penetration = -centre[heightEntry + nearest];
+		const int  otherFace   = pair.faces[which[nearest]];
+		if (!(area > 0) || !(penetration > 0) || pair.cosine[otherFace] <= 0) return;
+		if (expected != anyFace && nearest != expected) return;
+		ContactSpot& spot = addSpot(pair, vertices.segment[start], otherFace, spots);
+		spot.position     = centre.template head<3>();
+		spot.ownerNatural = { centre[naturalEntry], centre[naturalEntry + 1] };
+		spot.otherNatural = pair.view.other.solid->faces[otherFace].coordinates(spot.position);
+		spot.penetration  = penetration;
+		spot.area         = pair.weight * pair.cosine[otherFace] * area;
+	}
+
+	const FacePair& pair;
+	const Vertices& vertices;
+	int             start, count = 0, which[faceCount];
+	unsigned        cuts           = 0;
+	int             pressableCount = 0, pressable[faceCount];
+};
+
+/// Not part of the loop over segments, whose code stays small.
+__attribute__((noinline)) void addCutSegment(const FacePair& pair, const Vertices& vertices, int start, std::vector<ContactSpot>& spots)
+{
+	CutSegment(pair, vertices, start).addSpots(spots);
+}
+
+// ------------------------------------------------------------------------------------------------- eight segments at once
+
+/// Eight segments, mostly neighbours in a row.
+struct EightSegments {
+	const Vertices& vertices;
+	const int*      starts;
+	bool            adjacent;
+
+	BRICK_INLINE EightSegments(const Vertices& vertices, const int* starts)
+	        : vertices(vertices)
+	        , starts(starts)
+	        , adjacent(starts[lanes - 1] - starts[0] == lanes - 1)
+	{
+	}
+	/// Values at corner 0-3, in the order of a face's nodes.
+	BRICK_INLINE Lanes at(const Real* values, int corner) const
+	{
+		const Real* from = values + (corner == 1 || corner == 2) + (corner >= 2 ? vertices.stride : 0);
+		if (adjacent) return loadLanes(from + starts[0]);
+		Lanes x;
+		for (int lane = 0; lane < lanes; ++lane)
+			x[lane] = from[starts[lane]];
+		return x;
+	}
+};
+
+/// Where the middle of the part in contact is: weights of the segment's corners.
+struct Middle {
+	Lanes weight[4], area;
+};
+
+/// Twice the area of triangles that two sides span.
+BRICK_INLINE Lanes spanned(const Lanes (&u)[3], const Lanes (&v)[3])
+{
+	Lanes sum {};
+	for (int i = 0; i < 3; ++i) {
+		const int   j = (i + 1) % 3, k = (i + 2) % 3;
+		const Lanes c = u[j] * v[k] - u[k] * v[j];
+		sum += c * c;
+	}
+	return root(sum);
+}
+
+/// Of whole segments: two triangles each, as a polygon of four vertices has.
+BRICK_INLINE Middle middleOfWhole(const EightSegments& segments)
+{
+	Lanes side[3][3]; // from corner 0 to the others
+	for (int i = 0; i < 3; ++i) {
+		const Lanes origin = segments.at(segments.vertices.place[i], 0);
+		for (int corner = 1; corner < 4; ++corner)
+			side[corner - 1][i] = segments.at(segments.vertices.place[i], corner) - origin;
+	}
+	const Lanes below = spanned(side[0], side[1]) / 2, above = spanned(side[1], side[2]) / 2, whole = below + above, third = allLanes(1. / 3);
+	return { { third, below / (3 * whole), third, above / (3 * whole) }, whole };
+}
+
+/// A vertex of a polygon in a segment: weights of the segment's corners, and place.
+struct PolygonVertex {
+	Lanes weight[4], place[3];
+
+	/// On the side of the segment that leads from one corner to another.
+	BRICK_INLINE void set(const Lanes (&corners)[4][3], int from, int to, const Lanes& t)
+	{
+		for (int i = 0; i < 4; ++i)
+			weight[i] = i == from ? 1 - t : i == to ? t : Lanes {};
+		for (int i = 0; i < 3; ++i)
+			place[i] = corners[from][i] + t * (corners[to][i] - corners[from][i]);
+	}
+	BRICK_INLINE void replace(const Mask& where, const PolygonVertex& by)
+	{
+		for (int i = 0; i < 4; ++i)
+			weight[i] = where ? by.weight[i] : weight[i];
+		for (int i = 0; i < 3; ++i)
+			place[i] = where ? by.place[i] : place[i];
+	}
+};
+
+/// The fan of triangles about the first vertex of polygons, a vertex after the other; as ClippedPolygon does it.
+struct Fan {
+	PolygonVertex first, last;
+	Mask          begun {};
+	Middle        sum {};
+
+	BRICK_INLINE void add(const PolygonVertex& next, const Mask& where)
+	{
+		if (!bitsOf(where)) return;
+		Lanes u[3], v[3];
+		for (int i = 0; i < 3; ++i)
+			u[i] = last.place[i] - first.place[i], v[i] = next.place[i] - first.place[i];
+		const Lanes triangle = where & begun ? spanned(u, v) / 2 : Lanes {};
+		sum.area += triangle;
+		for (int i = 0; i < 4; ++i)
+			sum.weight[i] += triangle / 3 * (first.weight[i] + last.weight[i] + next.weight[i]);
+		first.replace(where & ~begun, next);
+		last.replace(where, next);
+		begun |= where;
+	}
+};
+
+/// Of segments of which one face of the other body cuts something off; its heights at the corners.
+BRICK_INLINE Middle middleOfCut(const EightSegments& segments, const Lanes (&height)[4])
+{
+	Lanes x[4][3];
+	for (int corner = 0; corner < 4; ++corner)
+		for (int i = 0; i < 3; ++i)
+			x[corner][i] = segments.at(segments.vertices.place[i], corner);
+	Fan fan;
+	fan.first.set(x, 0, 0, Lanes {});
+	fan.last = fan.first;
+	for (int here = 0; here < 4; ++here) {
+		const int     next = (here + 1) % 4;
+		const Mask    in = height[here] < 0, crosses = in ^ (height[next] < 0);
+		PolygonVertex vertex;
+		vertex.set(x, here, next, Lanes {});
+		fan.add(vertex, in);
+		vertex.set(x, here, next, crosses ? height[here] / (height[here] - height[next]) : Lanes {});
+		fan.add(vertex, crosses);
+	}
+	for (auto& w : fan.sum.weight)
+		w /= fan.sum.area;
+	return fan.sum;
+}
+
+/// Spots of eight segments, each in contact with its nearest face.
+struct EightSpots {
+	Real place[3][lanes], ownerNatural[2][lanes], otherNatural[2][lanes], penetration[lanes], area[lanes], nearest[lanes];
+
+	BRICK_INLINE void set(const FacePair&, const EightSegments&, const Middle&);
+	BRICK_INLINE void add(const FacePair& pair, int segment, int lane, std::vector<ContactSpot>& spots) const
+	{
+		if (!(area[lane] > 0) || !(penetration[lane] > 0)) return;
+		ContactSpot& spot = addSpot(pair, segment, int(nearest[lane]), spots);
+		spot.position     = { place[0][lane], place[1][lane], place[2][lane] };
+		spot.ownerNatural = { ownerNatural[0][lane], ownerNatural[1][lane] };
+		spot.otherNatural = { otherNatural[0][lane], otherNatural[1][lane] };
+		spot.penetration  = penetration[lane];
+		spot.area         = area[lane];
+	}
+};
+
+BRICK_INLINE void EightSpots::set(const FacePair& pair, const EightSegments& segments, const Middle& middle)
+{
+	const auto& vertices = segments.vertices;
+	const auto  centre   = [&](const Real* values) __attribute__((always_inline))
+	{
+		return (middle.weight[0] * segments.at(values, 0) + middle.weight[2] * segments.at(values, 2))
+		        + (middle.weight[1] * segments.at(values, 1) + middle.weight[3] * segments.at(values, 3));
+	};
+	Lanes x[3];
+	for (int i = 0; i < 3; ++i) {
+		x[i] = centre(vertices.place[i]);
+		storeLanes(place[i], x[i]);
+	}
+	storeLanes(ownerNatural[0], centre(vertices.xi)), storeLanes(ownerNatural[1], centre(vertices.eta));
+	Lanes top = allLanes(-unbounded), face {}, cosine {}, p {}, q {};
+	for (int k = 0; k < pair.count; ++k) {
+		const Lanes height = centre(vertices.height[k]);
+		const Mask  higher = height > top;
+		top                = higher ? height : top;
+		face               = higher ? allLanes(Real(pair.faces[k])) : face;
+		cosine             = higher ? allLanes(pair.cosine[pair.faces[k]]) : cosine;
+		if (pair.cosine[pair.faces[k]] <= 0 || !bitsOf(higher)) continue;
+		Lanes pk, qk;
+		coordinatesOn(pair.view.other.solid->faces[pair.faces[k]], x, pk, qk);
+		p = higher ? pk : p, q = higher ? qk : q;
+	}
+	storeLanes(otherNatural[0], p), storeLanes(otherNatural[1], q);
+	storeLanes(penetration, -top), storeLanes(nearest, face);
+	storeLanes(area, pair.weight * cosine * middle.area);
+}
+
+// --------------------------------------------------------------------------------------------------------------- search
+
+/// How segments touch: as a whole, cut by one face, or otherwise.
+enum class Touch : signed char { None, Whole, CutOnce, Other };
+
+/// A sweep over the segments between some rows of vertices.
+class Sweep {
+public:
+	BRICK_INLINE Sweep(const FacePair& pair, const Vertices& vertices, std::vector<ContactSpot>& spots)
+	        : pair(pair)
+	        , vertices(vertices)
+	        , spots(spots)
+	{
+	}
+	BRICK_INLINE void run();
+
+private:
+	BRICK_INLINE void classify(int first);
+	BRICK_INLINE void findCutOnce(int number);
+
+	const FacePair&           pair;
+	const Vertices&           vertices;
+	std::vector<ContactSpot>& spots;
+	Touch                     touch[Vertices::readable];
+	int                       cutOnce[Vertices::readable], cutBy[Vertices::readable]; ///< starts of segments, numbers of the cutting face
+	int                       cutOnceCount = 0;
+	EightSpots                cut;
+};
+
+/// Eight segments.
+BRICK_INLINE void Sweep::classify(int first)
+{
+	const Lanes one = allLanes(1.), zero {};
+	Lanes       lowest[faceCount], highest[faceCount], floor = allLanes(-unbounded);
+	for (int k = 0; k < pair.count; ++k) {
+		lowest[k] = vertices.lowest(vertices.height[k], first), highest[k] = vertices.highest(vertices.height[k], first);
+		floor = greater(floor, lowest[k]);
+	}
+	const unsigned touching = bitsOf(floor < 0);
+	Lanes          pressable {}, cuts {}, by {};
+	for (int k = 0; k < pair.count && touching; ++k) {
+		if (pair.cosine[pair.faces[k]] > leastCosine) pressable += highest[k] > floor ? one : zero;
+		cuts += highest[k] >= 0 ? one : zero, by += highest[k] >= 0 ? allLanes(Real(k)) : zero;
+	}
+	const unsigned whole = bitsOf((cuts == 0) & (pressable < 2)), once = bitsOf((cuts == 1) & (pressable < 2));
+	for (int lane = 0; lane < lanes; ++lane) {
+		const int i = first + lane;
+		touch[i]    = Touch::None;
+		if (!(touching >> lane & 1) || i >= vertices.starts() || vertices.segment[i] == Vertices::none) continue;
+		touch[i] = whole >> lane & 1 ? Touch::Whole : once >> lane & 1 ? Touch::CutOnce : Touch::Other;
+		if (touch[i] == Touch::CutOnce) cutOnce[cutOnceCount] = i, cutBy[cutOnceCount++] = int(by[lane]);
+	}
+}
+
+/// The spots of this and the next seven segments that are cut once.
+BRICK_INLINE void Sweep::findCutOnce(int number)
+{
+	const EightSegments eight(vertices, cutOnce + number);
+	Lanes               height[4];
+	for (int lane = 0; lane < lanes; ++lane) {
+		const Real *h = vertices.height[cutBy[number + lane]] + cutOnce[number + lane], *g = h + vertices.stride;
+		height[0][lane] = h[0], height[1][lane] = h[1], height[2][lane] = g[1], height[3][lane] = g[0];
+	}
+	cut.set(pair, eight, middleOfCut(eight, height));
+}
+
+BRICK_INLINE void Sweep::run()
+{
+	const int starts = vertices.starts();
+	for (int first = 0; first < starts; first += lanes)
+		classify(first);
+	// the last group is filled up with its first, which is not one of a row then
+	const int last = cutOnceCount - cutOnceCount % lanes;
+	for (int i = cutOnceCount; i < last + lanes && i > last; ++i)
+		cutOnce[i] = cutOnce[last], cutBy[i] = cutBy[last];
+	const int together = cutOnceCount % lanes == 1 ? cutOnceCount - 1 : cutOnceCount; // one alone is cut sooner as a polygon
+	int       number   = 0;
+	for (int first = 0; first < starts; first += lanes) {
+		EightSpots whole;
+		bool       known = false;
+		for (int i = first; i < first + lanes; ++i) {
+			if (touch[i] == Touch::None) continue;
+			if (touch[i] == Touch::Whole) {
+				int here[lanes];
+				for (int lane = 0; lane < lanes; ++lane)
+					here[lane] = first + lane;
+				const EightSegments eight(vertices, here);
+				if (!known) whole.set(pair, eight, middleOfWhole(eight));
+				known = true;
+				whole.add(pair, vertices.segment[i], i - first, spots);
+			} else if (touch[i] == Touch::CutOnce && number < together) {
+				if (number % lanes == 0) findCutOnce(number);
+				cut.add(pair, vertices.segment[i], number++ % lanes, spots);
+			} else
+				addCutSegment(pair, vertices, i, spots);
+		}
+	}
+}
+
+void searchSide(const View& view, int ownerIndex, Real weight, std::vector<ContactSpot>& spots)
+{
+	for (int face = 0; face < faceCount; ++face) {
+		FacePair pair(view, ownerIndex, face, weight);
+		if (!pair.canTouch()) continue;
+		pair.prepareFields();
+		const std::size_t before = spots.size();
+		Vertices          vertices;
+		for (int row = pair.rows.begin; row < pair.rows.end; row += vertices.rows) {
+			vertices.fill(pair, row);
+			Sweep(pair, vertices, spots).run();
+		}
+		// by the other's faces; mostly there is only one
+		const auto inOrder = [](const ContactSpot& a, const ContactSpot& b) { return a.key < b.key; };
+		if (!std::is_sorted(spots.begin() + before, spots.end(), inOrder)) std::sort(spots.begin() + before, spots.end(), inOrder);
+	}
+}
+
+void findTouching(const Side& side0, const Side& side1, std::vector<ContactSpot>& spots)
+{
+	const View view0(side0, side1), view1(side1, side0);
+	if (view0.apart() || view1.apart()) return;
+	const Real weight = side0.support || side1.support ? 1 : .5;
+	if (!side0.support) searchSide(view0, 0, weight, spots);
+	if (!side1.support) searchSide(view1, 1, weight, spots);
+}
