@@ -119,8 +119,9 @@ private:
 	void loadsOf(Join& join, const brick::Placement& lower, const brick::Placement& upper) const
 	{
 		jointMotion(join.joint, lower, upper, join.motion);
-		join.sum = brick::PairSummary();
-		join.failed += jointLoads(join.joint, join.motion, tanFriction, lower.rotation, join.loads, join.sum).total();
+		const auto rate = openingRate(join.joint, join.motion, lower, upper);
+		join.sum        = brick::PairSummary();
+		join.failed += jointLoads(join.joint, join.motion, rate, tanFriction, join.loads, join.sum).total();
 	}
 
 	/// The joint above a cube, cracked by turning the upper cube about a diagonal: the segment in one corner stays pressed, by one and a half times what the joint
@@ -129,8 +130,7 @@ private:
 	{
 		const auto side = [&](int i) { return brick::Side { &solid, &contactLength, segments, false, cubes[i].placement }; };
 		Join       made { *brick::joinFaces(side(lower), above, side(lower + 1), below, 1e-9), {}, {}, {} };
-		made.joint.springs  = springs.at(thickness, thickness);
-		made.joint.strength = { 1e-3, 1e12, tanFriction, 1e12, 9 };
+		made.joint.setMortar(springs.at(thickness, thickness), { 1e-3, 1e12, tanFriction, 1e12, 9 });
 
 		constexpr double slope = 1e-4;
 		const double     size = edge / segments, opening = slope * size, middle = slope * (edge - size) - 1.5 * opening;

@@ -15,7 +15,7 @@ inline void prefetch(const void* object, std::size_t bytes)
 }
 
 /// Whether a scene does not fit into the caches next to a core, so that asking ahead is worth its own time.
-inline bool isLarge(const Scene& scene) { return scene.interactions->size() > 10000; }
+inline bool isLarge(const Scene& scene) { return scene.interactions->size() > 4000; }
 
 /// What the loop over interactions will read next. Other threads may be changing these interactions: of them only addresses are read, to be looked up ahead.
 /// @param geomBytes, physBytes that will be read of geometry and physics
