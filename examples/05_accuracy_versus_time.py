@@ -26,6 +26,7 @@ motion of the loaded scene, the fastest of several measurements. Memory is what 
 
 import argparse
 import csv
+import ctypes
 import gc
 import json
 import math
@@ -39,7 +40,7 @@ import numpy as np
 
 import yade_brick
 from yade_brick import build, motion, progress
-from yade_brick.bill import limitText, residentMemory, stepLimit
+from yade_brick.bill import limitText, stepLimit
 
 script = os.path.abspath(sys.argv[0])
 sys.path.insert(0, os.path.dirname(script))
@@ -200,16 +201,29 @@ def secondsOfWork():
 	return min(spent(steps) for _ in range(15)) / (steps * O.dt)
 
 
+class AllocatorState(ctypes.Structure):
+	"""struct mallinfo2 of the C library."""
+
+	_fields_ = [(name, ctypes.c_size_t) for name in ("arena", "ordblks", "smblks", "hblks", "hblkhd", "usmblks", "fsmblks", "uordblks", "fordblks", "keepcost")]
+
+
+def allocatedMemory():
+	"""What the process has asked the C library for and not given back [bytes]. What is resident would count free memory of earlier work as none."""
+	ask = ctypes.CDLL(None).mallinfo2
+	ask.restype = AllocatorState
+	state = ask()
+	return state.uordblks + state.hblkhd
+
+
 def memoryPerBrick(setting):
-	"""Memory that a brick of a large wall takes, with its joints and YADE's own share [bytes]; to be asked before anything else was in memory. What all
-	bricks share is in memory before, with a small wall."""
+	"""Memory that a brick of a large wall takes, with its joints and YADE's own share [bytes]. What all bricks share is in memory before, with a small wall."""
 
 	def inMemory(columns, courses):
 		addWall(setting, columns, courses)
 		O.step()
 		O.step()
 		gc.collect()
-		return residentMemory()
+		return allocatedMemory()
 
 	before = inMemory(2, 2)
 	return (inMemory(memoryColumns, memoryCourses) - before) / (memoryColumns * memoryCourses)

@@ -58,7 +58,7 @@ def largestBedStress():
 	"""Largest normal stress of a segment of a bed joint [Pa], tension positive; negative: all are pressed."""
 	O.engines = [
 	        ForceResetter(),
-	        InsertionSortCollider([Bo1_Brick_Aabb(), Bo1_Wall_Aabb()], verletDist=.01),
+	        InsertionSortCollider([Bo1_Brick_Aabb(), Bo1_Wall_Aabb()], verletDist=0),
 	        InteractionLoop(
 	                [Ig2_Brick_Brick_BrickGeom(), Ig2_Wall_Brick_BrickGeom()],
 	                [Ip2_BrickMat_BrickMat_BrickPhys()],
