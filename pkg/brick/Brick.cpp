@@ -253,7 +253,7 @@ bool Brick::reachesOut(const State& state, const Vector3r& lower, const Vector3r
 {
 	const Matrix3r R = state.ori.toRotationMatrix();
 	for (int a = 0; a < brick::nodeCount; ++a) {
-		const Vector3r x = state.pos + R * (displacement.empty() ? solid->corners[a] : Vector3r(solid->corners[a] + displacement[a]));
+		const Vector3r x = state.pos + R * deformedCorner(a);
 		if ((x.array() < lower.array()).any() || (x.array() > upper.array()).any()) return true;
 	}
 	return false;
@@ -264,7 +264,7 @@ std::vector<Vector3r> Brick::worldCorners(const shared_ptr<State>& state) const
 	if (!state) throw std::invalid_argument("state is None; it must be the State of the brick's body");
 	std::vector<Vector3r> out;
 	for (std::size_t a = 0; a < corners.size(); ++a)
-		out.push_back(state->pos + state->ori * (displacement.empty() ? corners[a] : Vector3r(corners[a] + displacement[a])));
+		out.push_back(state->pos + state->ori * deformedCorner(int(a)));
 	return out;
 }
 
@@ -312,9 +312,7 @@ void Bo1_Brick_Aabb::go(const shared_ptr<Shape>& shape, shared_ptr<Bound>& bound
 	if (!bound) bound = shared_ptr<Bound>(new Aabb);
 	Vector3r lower, upper;
 	for (int a = 0; a < brick::nodeCount; ++a) {
-		Vector3r x = b.solid->corners[a];
-		if (!b.displacement.empty()) x += b.displacement[a];
-		const Vector3r turned = se3.orientation * x;
+		const Vector3r turned = se3.orientation * b.deformedCorner(a);
 		lower                 = a ? Vector3r(lower.cwiseMin(turned)) : turned;
 		upper                 = a ? Vector3r(upper.cwiseMax(turned)) : turned;
 	}

@@ -55,6 +55,7 @@ public:
 	/// Deforms it at rest.
 	void setAmplitudes(const std::vector<Real>&);
 
+	Vector3r     deformedCorner(int a) const { return displacement.empty() ? corners[a] : Vector3r(corners[a] + displacement[a]); } ///< body axes [m]
 	brick::Nodes innerNodes() const; ///< of the inner hexahedron at rest, body axes [m]; the corners of a rigid brick
 	Real         elasticEnergy() const;
 	Real         kineticEnergy() const;

@@ -63,6 +63,13 @@ brick::Side sideOfWall(const Wall& wall, const State& state, const Vector3r& bri
 
 brick::Side sideOfBox(const State& state, const brick::Hexahedron& solid) { return supportSide(solid, state); }
 
+brick::Side sideOfBody(const Body& b, const shared_ptr<const brick::Hexahedron>& box, const Vector3r& brickPosition)
+{
+	if (const Brick* shape = asBrick(b.shape)) return shape->side(b.state->pos, *b.state);
+	if (const Wall* wall = dynamic_cast<const Wall*>(b.shape.get())) return sideOfWall(*wall, *b.state, brickPosition);
+	return sideOfBox(*b.state, *box);
+}
+
 // ------------------------------------------------------------------------------------------------------------ geometry
 
 namespace {
@@ -323,13 +330,6 @@ namespace {
 		phys.joint          = brick::Joint();
 	}
 
-	brick::Side sideOf(const Body& b, const BrickGeom& geom, const Vector3r& brickPosition)
-	{
-		if (const auto* shape = dynamic_cast<const Brick*>(b.shape.get())) return shape->side(b.state->pos, *b.state);
-		if (const auto* wall = dynamic_cast<const Wall*>(b.shape.get())) return sideOfWall(*wall, *b.state, brickPosition);
-		return sideOfBox(*b.state, *geom.supportSolid);
-	}
-
 } // namespace
 
 void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phys)
@@ -340,7 +340,7 @@ void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phy
 	brick::CornerVectors rate { brick::CornerVectors::Zero() };
 	if (!phys.joint.holds()) {
 		const Vector3r& at = second.state->pos;
-		rate = brick::openingRate(phys.joint, geom.motion, sideOf(first, geom, at).placement, sideOf(second, geom, at).placement);
+		rate = brick::openingRate(phys.joint, geom.motion, sideOfBody(first, geom.supportSolid, at).placement, sideOfBody(second, geom.supportSolid, at).placement);
 	}
 	const auto failures = brick::jointLoads(phys.joint, geom.motion, rate, phys.springs.tanFriction, phys.loads, sum);
 	if (phys.joint.shape->faces[0].face < 0) phys.loads.torque[0] += (geom.origin - first.state->pos).cross(phys.loads.forceOn(0));
@@ -352,7 +352,7 @@ void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phy
 	shearFailures += failures.shear;
 #pragma omp atomic
 	compressionFailures += failures.compression;
-	if (phys.joint.intact() == 0) endJoint(sideOf(first, geom, second.state->pos), sideOf(second, geom, second.state->pos), geom, phys);
+	if (phys.joint.intact() == 0) endJoint(sideOfBody(first, geom.supportSolid, second.state->pos), sideOfBody(second, geom.supportSolid, second.state->pos), geom, phys);
 }
 
 void Law2_BrickGeom_BrickPhys_Mortar::applyContact(BrickGeom& geom, BrickPhys& phys)

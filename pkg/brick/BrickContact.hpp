@@ -197,6 +197,8 @@ REGISTER_SERIALIZABLE(Law2_BrickGeom_BrickPhys_Mortar);
 /// A wall as a slab whose one face is the wall, on the side of the given point.
 brick::Side sideOfWall(const Wall&, const State&, const Vector3r& brickPosition);
 brick::Side sideOfBox(const State&, const brick::Hexahedron&);
+/// @param box solid of a Box, only of such a body   @param brickPosition of the other body, a brick
+brick::Side sideOfBody(const Body&, const shared_ptr<const brick::Hexahedron>& box, const Vector3r& brickPosition);
 
 /// Thickness of the thinner contact part of a pair's bricks [m].
 Real thinnestContactPart(const std::array<brick::Side, 2>&);

@@ -29,9 +29,9 @@ namespace {
 		if (phys.isJoint()) return dashpotTime(phys.joint.shape->springs);
 		Real longest = 0;
 		if (!geom.contact) return longest;
-		const brick::ContactSpot* last = nullptr; // spots of the same faces stand together and have the same springs
+		const brick::ContactSpot* last = nullptr; // spots of the same faces stand together
 		for (const auto& spot : geom.contact->spots) {
-			if (last && last->owner == spot.owner && last->ownerFace == spot.ownerFace && last->otherFace == spot.otherFace) continue;
+			if (last && brick::sameFaces(*last, spot)) continue;
 			longest = std::max(longest, dashpotTime(brick::springsOf(spot, geom.contact->sides[0], geom.contact->sides[1], phys.springs)));
 			last    = &spot;
 		}

@@ -62,13 +62,6 @@ namespace {
 		return { std::isnan(mortar.young) ? m.young : mortar.young, std::isnan(mortar.poisson) ? m.poisson : mortar.poisson };
 	}
 
-	brick::Side sideOf(const Body& b, const shared_ptr<const brick::Hexahedron>& box, const Vector3r& brickPosition)
-	{
-		if (const Brick* shape = brickOf(b)) return shape->side(b.state->pos, *b.state);
-		if (const Wall* wall = dynamic_cast<const Wall*>(b.shape.get())) return sideOfWall(*wall, *b.state, brickPosition);
-		return sideOfBox(*b.state, *box);
-	}
-
 	/// The largest of the overlaps between faces of two bodies.
 	std::optional<brick::Joint>
 	largestOverlap(const brick::Side& side0, const brick::Side& side1, Real tolerance, const Vector3r& direction, std::array<int, 2>& faces)
@@ -166,7 +159,7 @@ void MortarJoints::join(const shared_ptr<Body>& a, const shared_ptr<Body>& b)
 
 	shared_ptr<const brick::Hexahedron> box;
 	if (const Box* shape = dynamic_cast<const Box*>(first.shape.get())) box.reset(new brick::Hexahedron(brick::cuboidCorners(2 * shape->extents)));
-	const brick::Side           side0 = sideOf(first, box, second.state->pos), side1 = sideOf(second, nullptr, second.state->pos);
+	const brick::Side           side0 = sideOfBody(first, box, second.state->pos), side1 = sideOfBody(second, nullptr, second.state->pos);
 	std::array<int, 2>          faces { 0, 0 };
 	std::optional<brick::Joint> joint = largestOverlap(side0, side1, gapOf(second), normal, faces);
 	if (!joint) return;
@@ -225,7 +218,7 @@ void MortarJoints::shareShape(brick::Joint& joint, const brick::Side& side0, con
 bool MortarJoints::areJoined(Body::id_t a, Body::id_t b) const
 {
 	const auto&      found = scene->interactions->find(a, b);
-	const BrickPhys* phys  = found ? dynamic_cast<const BrickPhys*>(found->phys.get()) : nullptr;
+	const BrickPhys* phys  = found ? asBrickPhys(found->phys) : nullptr;
 	return phys && phys->isJoint();
 }
 
@@ -239,7 +232,7 @@ void MortarJoints::noteBeside(const shared_ptr<Body>& a, const shared_ptr<Body>&
 		return areJoined(a->getId(), item.first) && areJoined(b->getId(), item.first);
 	});
 	std::array<int, 2> faces;
-	if (!held || largestOverlap(sideOf(*a, nullptr, a->state->pos), sideOf(*b, nullptr, b->state->pos), gapOf(*b), Vector3r::Zero(), faces)) return;
+	if (!held || largestOverlap(sideOfBody(*a, nullptr, a->state->pos), sideOfBody(*b, nullptr, b->state->pos), gapOf(*b), Vector3r::Zero(), faces)) return;
 	first->beside.push_back(b->getId());
 	second->beside.push_back(a->getId());
 }

@@ -15,8 +15,6 @@
 
 namespace brick {
 
-using VectorX      = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
-using MatrixX      = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 using SparseMatrix = Eigen::SparseMatrix<Real>;
 
 struct AssembledBrick {

@@ -2,7 +2,7 @@
 // See CondensedPart.hpp. Of Eigen's operations on large matrices only those are used that one thread does: a general product splits its sums by the number of
 // threads and rounds differently with each; a product with a sparse matrix stored by rows, as any transposed one is, starts all threads once a column.
 #include "CondensedPart.hpp"
-#include "Message.hpp"
+#include "Frequencies.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
@@ -19,17 +19,8 @@ namespace {
 	using Columns6     = Eigen::Matrix<Real, Eigen::Dynamic, 6>;
 	using Rows6        = Eigen::Matrix<Real, 6, Eigen::Dynamic>;
 
-	/// As in Modes.cpp: neighbouring squared frequencies closer than this, relatively, are one frequency.
-	constexpr Real sameFrequency = 1e-10;
-
 	/// Squared frequencies below this, of the largest, are round-off.
 	constexpr Real noFrequency = 1e-13;
-
-	/// As in Modes.cpp: difference of entries across the diagonal, of the largest entry, that counts as round-off.
-	constexpr Real symmetryTolerance = 1e-10;
-
-	/// As in Modes.cpp: components whose squares are this close to the largest, relatively, are equal to it.
-	constexpr Real sameComponent = 1e-6;
 
 	/// n x n x n elements; nodes of the surface first, in the order of their grid, then those inside in lexicographic order.
 	struct Mesh {
@@ -257,21 +248,11 @@ ModeSet deformationModes(const MatrixX& K, const MatrixX& M, const std::vector<V
 	requireMatrix(K, size, "stiffness");
 	requireMatrix(M, size, "mass");
 	auto [shapes, frequencies] = solvedModes(K, M, nodes);
-	const int  count           = int(frequencies.size());
-	const Real largest         = frequencies[count - 1];
-	if (!(frequencies[0] > noFrequency * largest))
-		throw std::invalid_argument(
-		        message("a deformation meets no stiffness: omega^2 is ",
-		                frequencies[0],
-		                " 1/s2; it must be above ",
-		                noFrequency,
-		                " of the largest, ",
-		                largest));
-	ModeSet modes { std::move(shapes), {} };
+	requireStiffness(frequencies, noFrequency);
+	const int count = int(frequencies.size());
+	ModeSet   modes { std::move(shapes), {} };
 	for (int first = 0, group = 0; first < count; first += group) {
-		group = 1;
-		while (first + group < count && frequencies[first + group] - frequencies[first + group - 1] <= sameFrequency * frequencies[first + group])
-			++group;
+		group = countOfSame(frequencies, first);
 		makeCanonical(modes.shapes.middleCols(first, group), M.diagonal());
 		modes.omegaSquared.insert(modes.omegaSquared.end(), group, frequencies.segment(first, group).mean());
 	}

@@ -27,9 +27,6 @@
 
 namespace brick {
 
-using VectorX = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
-using MatrixX = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-
 /// A mesh seen from its surface. Degrees of freedom x0 y0 z0 x1 ... of the nodes of a SurfaceGrid. M_c is full: the inside couples the surface nodes. M_s,
 /// what the lumped mesh has at these nodes themselves, is diagonal and bounds it from below, M_c - M_s being positive semidefinite: springs on the nodes
 /// have at most the frequencies that they would have with M_s.

@@ -26,8 +26,6 @@ namespace {
 		}
 	}
 
-	bool sameFaces(const ContactSpot& a, const ContactSpot& b) { return a.owner == b.owner && a.ownerFace == b.ownerFace && a.otherFace == b.otherFace; }
-
 } // namespace
 
 } // namespace brick

@@ -33,6 +33,9 @@ struct ContactSpot {
 	Real         area;                       ///< footprint times weight [m2]
 };
 
+/// Whether two spots are between the same faces, and so on the same springs.
+inline bool sameFaces(const ContactSpot& a, const ContactSpot& b) { return a.owner == b.owner && a.ownerFace == b.ownerFace && a.otherFace == b.otherFace; }
+
 /// Spots of a pair of faces come one after the other, by segment.
 inline int contactKey(int owner, int ownerFace, int otherFace, int segment)
 {

@@ -12,9 +12,6 @@ struct Vectors {
 BRICK_INLINE Lanes dot(const Vectors& a, const Vector3r& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 BRICK_INLINE Lanes lengthOf(const Vectors& a) { return root(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
 
-/// Coulomb's limit: what a vector of this length has to be multiplied with.
-BRICK_INLINE Lanes shortening(const Lanes& length, const Lanes& largest) { return length > largest ? largest / length : allLanes(1.); }
-
 /// The owner of spots and the other body, in whose axes and about whose position everything is computed.
 struct OwnerAndOther {
 	const Side &owner, &other;

@@ -1,35 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Eight numbers at once, for files that are included once for each instruction set (InstructionSets.hpp) and include this one. Operations are lane by lane, so
-// every set gives the same.
+// Eight numbers at once, and what can be asked of them, for files that are included once for each instruction set (InstructionSets.hpp) and include this one.
 
-constexpr int     lanes = 8;
-typedef Real      Lanes __attribute__((vector_size(lanes * sizeof(Real))));
-typedef long long Mask __attribute__((vector_size(lanes * sizeof(Real)))); ///< of comparisons: -1 where true
+constexpr int lanes = 8;
+
+#include "LaneVectors.hpp"
 
 constexpr Mask laneNumbers { 0, 1, 2, 3, 4, 5, 6, 7 };
-
-BRICK_INLINE Lanes allLanes(Real x) { return x - Lanes {}; }
-BRICK_INLINE Mask  allLanes(long long x) { return x - Mask {}; }
-
-BRICK_INLINE Lanes loadLanes(const Real* from)
-{
-	Lanes x;
-	__builtin_memcpy(&x, from, sizeof x);
-	return x;
-}
-
-BRICK_INLINE void storeLanes(Real* to, const Lanes& x) { __builtin_memcpy(to, &x, sizeof x); }
-
-BRICK_INLINE Lanes root(const Lanes& x)
-{
-	Lanes y;
-	for (int i = 0; i < lanes; ++i)
-		y[i] = __builtin_sqrt(x[i]);
-	return y;
-}
-
-BRICK_INLINE Lanes lesser(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
-BRICK_INLINE Lanes greater(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
 
 /// In halves: the same order whatever the instruction set.
 BRICK_INLINE Real sumOf(const Lanes& x)

@@ -2,8 +2,8 @@
 // Code compiled for several vector instruction sets; the machine's best is chosen when the library runs. The kernel is built without contraction of products and
 // sums (-ffp-contract=off) and its sums have an order that does not depend on the width of a vector, so all sets give bitwise the same result.
 //
-// Plain arithmetic can be left to the compiler: mark the function BRICK_ANY_INSTRUCTION_SET. Where lanes are compared and chosen, it would fall back to single
-// numbers, unless everything from the types of vectors on is compiled for one set: such code stands in a file of its own that is included once for each set,
+// Such code stands in a file of its own that is included once for each set, from the types of vectors on: clones of a function (target_clones) would compare and
+// choose lanes number by number.
 //
 //     #define BRICK_LANES_FILE "ThisAndThatLanes.hpp"      // functions, no includes; vectors of BRICK_WIDTH numbers
 //     #include "ForEachInstructionSet.hpp"                 // makes namespaces wide (8 numbers), middle (4) and narrow (2)
@@ -15,11 +15,9 @@
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define BRICK_X86_SETS 1
-#define BRICK_ANY_INSTRUCTION_SET __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #define BRICK_BEST_INSTRUCTION_SET(function) (brick::instructionSet() == 2 ? wide::function : brick::instructionSet() == 1 ? middle::function : narrow::function)
 #else
 #define BRICK_X86_SETS 0
-#define BRICK_ANY_INSTRUCTION_SET
 #define BRICK_BEST_INSTRUCTION_SET(function) (narrow::function)
 #endif
 

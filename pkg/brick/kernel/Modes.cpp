@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "Modes.hpp"
-#include "Message.hpp"
+#include "Frequencies.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
@@ -14,19 +14,9 @@ namespace {
 
 	using Fields6 = Eigen::Matrix<Real, dofCount, 6>;
 
-	/// Neighbouring squared frequencies closer than this, relatively, are one frequency. The solver leaves 1e-15 of the largest, 1e-13 of the softest unless
-	/// nu is close to 0.5; there equal frequencies may count as two, which costs the rule for their shapes and nothing else.
-	constexpr Real sameFrequency = 1e-10;
-
 	/// Squared frequencies below this, of the largest, are none. The softest mode of a cube with nu = 0.4999999 is 1e-7 of it, that of a slab of 1:100 with
 	/// nu = 0.4999 2e-12: bending over volume change.
 	constexpr Real noFrequency = 1e-12;
-
-	/// Difference of K_ij and K_ji, of the largest entry, that counts as round-off.
-	constexpr Real symmetryTolerance = 1e-10;
-
-	/// Components this close to the largest, relatively, are equal to it: symmetric shapes have such ties, and round-off must not decide them.
-	constexpr Real sameComponent = 1e-6;
 
 	Vector3r mean(const Nodes& nodes)
 	{
@@ -124,20 +114,10 @@ Modes deformationModes(const Matrix24& K, const Nodes& nodes, const std::array<R
 	const Eigen::VectorXd                                frequencies = solver.eigenvalues();
 	const Eigen::MatrixXd                                vectors     = basis * solver.eigenvectors();
 
-	modes.count        = int(frequencies.size());
-	const Real largest = frequencies[modes.count - 1];
-	if (!(frequencies[0] > noFrequency * largest))
-		throw std::invalid_argument(
-		        message("a deformation meets no stiffness: omega^2 is ",
-		                frequencies[0],
-		                " 1/s2; it must be above ",
-		                noFrequency,
-		                " of the largest, ",
-		                largest));
+	modes.count = int(frequencies.size());
+	requireStiffness(frequencies, noFrequency);
 	for (int first = 0, size = 0; first < modes.count; first += size) {
-		size = 1;
-		while (first + size < modes.count && frequencies[first + size] - frequencies[first + size - 1] <= sameFrequency * frequencies[first + size])
-			++size;
+		size                                 = countOfSame(frequencies, first);
 		modes.shapes.middleCols(first, size) = inverse.asDiagonal() * canonicalBasis(vectors.middleCols(first, size));
 		for (int i = 0; i < size; ++i)
 			modes.omegaSquared[first + i] = frequencies.segment(first, size).mean();

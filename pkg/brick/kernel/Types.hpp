@@ -26,6 +26,8 @@ using Vector6r    = Eigen::Matrix<Real, 6, 1>;
 using Matrix3r    = Eigen::Matrix<Real, 3, 3>;
 using Matrix6r    = Eigen::Matrix<Real, 6, 6>;
 using Quaternionr = Eigen::Quaternion<Real>;
+using VectorX     = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+using MatrixX     = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
 constexpr int nodeCount = 8;
 constexpr int faceCount = 6;
