@@ -323,7 +323,7 @@ namespace {
 			const brick::Side& body  = side == 0 ? side0 : side1;
 			loads.force              = phys.loads.forceOn(side);
 			loads.torque             = phys.loads.torque[side];
-			if (!body.support) brick::addNodalForces(phys.joint, phys.loads, side, body.placement.rotation, loads.nodal);
+			if (!body.support) brick::addNodalForces(phys.joint, phys.loads, side, body.placement.rotation, loads.nodal.data());
 		}
 		geom.contact.reset(new BrickGeom::Contact);
 		geom.contact->sides = { side0, side1 };

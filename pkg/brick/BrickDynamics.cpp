@@ -63,7 +63,7 @@ namespace {
 		{
 			force += phys.loads.forceOn(side);
 			torque += phys.loads.torque[side];
-			if (deformable) brick::addNodalForces(phys.joint, phys.loads, side, rotation, nodal);
+			if (deformable) brick::addNodalForces(phys.joint, phys.loads, side, rotation, nodal.data());
 			holding += phys.joint.holds();
 		}
 		void addContact(const brick::Loads& loads)

@@ -110,7 +110,7 @@ inline std::array<Loads, 2> loadsOf(const Joint& joint, const JointLoads& found,
 	for (int s = 0; s < 2; ++s) {
 		const Body& b = s ? second : first;
 		out[s].force = found.forceOn(s), out[s].torque = found.torque[s];
-		if (joint.shape->faces[s].face >= 0) addNodalForces(joint, found, s, b.placement.rotation, out[s].nodal);
+		if (joint.shape->faces[s].face >= 0) addNodalForces(joint, found, s, b.placement.rotation, out[s].nodal.data());
 	}
 	return out;
 }

@@ -207,7 +207,7 @@ VectorX Assembly::internalForces() const
 			if (!b.modes) continue;
 			Nodes nodal;
 			nodal.fill(Vector3r::Zero());
-			addNodalForces(holding, loads, side, at[side]->rotation, nodal);
+			addNodalForces(holding, loads, side, at[side]->rotation, nodal.data());
 			for (int k = 0; k < b.modes->count; ++k)
 				for (int a = 0; a < nodeCount; ++a)
 					forces[place + 6 + k] += b.modes->shapes.col(k).segment<3>(3 * a).dot(nodal[a]);

@@ -68,25 +68,10 @@ namespace {
 		        "(below), 4-5-6-7 over them");
 	}
 
-	/// Geometry of one face. Without area the normal is NaN: planarityProblem looks for that first.
 	Face makeFace(const Nodes& corners, int face)
 	{
-		const auto&     n  = faceNodes[face];
-		const Vector3r &x0 = corners[n[0]], &x1 = corners[n[1]], &x2 = corners[n[2]], &x3 = corners[n[3]];
-		const Vector3r  twiceArea = (x2 - x0).cross(x3 - x1);
-		Face            f;
-		f.normal        = twiceArea / twiceArea.norm();
-		f.area          = twiceArea.norm() / 2;
-		f.centre        = (x0 + x1 + x2 + x3) / 4;
-		f.offset        = f.normal.dot(f.centre);
-		f.e1            = (x1 + x2 - x0 - x3) / 4;
-		f.e2            = (x2 + x3 - x0 - x1) / 4;
-		f.e12           = (x0 + x2 - x1 - x3) / 4;
-		f.parallelogram = f.e12.squaredNorm() <= 1e-24 * (f.e1.squaredNorm() + f.e2.squaredNorm());
-		const Real side = f.normal.dot(f.e1.cross(f.e2));
-		f.dual1         = f.e2.cross(f.normal) / side;
-		f.dual2         = f.normal.cross(f.e1) / side;
-		return f;
+		const auto& n = faceNodes[face];
+		return Face::of(corners[n[0]], corners[n[1]], corners[n[2]], corners[n[3]]);
 	}
 
 	std::string planarityProblem(const Nodes& corners, int face)
@@ -270,6 +255,24 @@ std::string cornersProblem(const Nodes& corners)
 	for (int face = 0; face < faceCount && problem.empty(); ++face)
 		problem = convexityProblem(corners, face);
 	return problem;
+}
+
+Face Face::of(const Vector3r& x0, const Vector3r& x1, const Vector3r& x2, const Vector3r& x3)
+{
+	const Vector3r twiceArea = (x2 - x0).cross(x3 - x1);
+	Face           f;
+	f.normal        = twiceArea / twiceArea.norm();
+	f.area          = twiceArea.norm() / 2;
+	f.centre        = (x0 + x1 + x2 + x3) / 4;
+	f.offset        = f.normal.dot(f.centre);
+	f.e1            = (x1 + x2 - x0 - x3) / 4;
+	f.e2            = (x2 + x3 - x0 - x1) / 4;
+	f.e12           = (x0 + x2 - x1 - x3) / 4;
+	f.parallelogram = f.e12.squaredNorm() <= 1e-24 * (f.e1.squaredNorm() + f.e2.squaredNorm());
+	const Real side = f.normal.dot(f.e1.cross(f.e2));
+	f.dual1         = f.e2.cross(f.normal) / side;
+	f.dual2         = f.normal.cross(f.e1) / side;
+	return f;
 }
 
 Vector2r Face::coordinatesOnQuadrilateral(const Vector3r& x) const

@@ -79,6 +79,9 @@ struct Face {
 	Vector3r dual1;  ///< dual basis in the face's plane [1/m]: dual1.e1 = dual2.e2 = 1, dual1.e2 = dual2.e1 = 0;
 	Vector3r dual2;  ///< dual1.(x - centre) = xi and dual2.(x - centre) = eta when e12 = 0
 
+	/// @param x0 .. x3 corners, counter-clockwise from outside [m]. Without area the normal is NaN.
+	static Face of(const Vector3r& x0, const Vector3r& x1, const Vector3r& x2, const Vector3r& x3);
+
 	/// Natural coordinates of the projection of x along the normal, each clamped to [-1,1]. Closed form, exact on any convex face; of a point beside the
 	/// face, first eta is clamped, then xi (the nearest point only if the face is a rectangle). Never throws or allocates.
 	Vector2r coordinates(const Vector3r& x) const

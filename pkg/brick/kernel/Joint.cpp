@@ -475,7 +475,7 @@ Failures jointLoads(Joint& joint, const JointMotion& m, const CornerVectors& rat
 	return { joint.failures.tension - before.tension, joint.failures.shear - before.shear, joint.failures.compression - before.compression };
 }
 
-void addNodalForces(const Joint& joint, const JointLoads& loads, int side, const Matrix3r& rotation, Nodes& nodal)
+void addNodalForces(const Joint& joint, const JointLoads& loads, int side, const Matrix3r& rotation, Vector3r* nodal)
 {
 	const JointFace&    face = joint.shape->faces[side];
 	const CornerVectors f    = (side == 0 ? 1 : -1) * (face.weights.transpose() * (loads.force * rotation));

@@ -134,7 +134,7 @@ struct JointLoads {
 Failures jointLoads(Joint&, const JointMotion&, const CornerVectors& rate, Real tanFriction, JointLoads& loads, PairSummary&);
 
 /// Adds what a joint does to the nodes of one of its bodies, body axes [N].
-void addNodalForces(const Joint&, const JointLoads&, int side, const Matrix3r& rotation, Nodes& nodal);
+void addNodalForces(const Joint&, const JointLoads&, int side, const Matrix3r& rotation, Vector3r* nodal);
 
 /// Normal stress (tension positive) and shear stress vector (world axes, on side 0) on one segment, dashpots left out [Pa].
 struct SegmentTraction {
