@@ -119,9 +119,9 @@ private:
 	void loadsOf(Join& join, const brick::Placement& lower, const brick::Placement& upper) const
 	{
 		jointMotion(join.joint, lower, upper, join.motion);
-		const auto rate = openingRate(join.joint, join.motion, lower, upper);
+		const brick::JointPlacements moving { lower, upper };
 		join.sum        = brick::PairSummary();
-		join.failed += jointLoads(join.joint, join.motion, rate, tanFriction, join.loads, join.sum).total();
+		join.failed += jointLoads(join.joint, join.motion, &moving, tanFriction, join.loads, join.sum).total();
 	}
 
 	/// The joint above a cube, cracked by turning the upper cube about a diagonal: the segment in one corner stays pressed, by one and a half times what the joint

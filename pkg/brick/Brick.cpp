@@ -34,7 +34,7 @@ namespace {
 		return fromName<brick::Deformation>(
 		        "deformation",
 		        name,
-		        { { "rigid", brick::Deformation::Rigid }, { "uniform", brick::Deformation::Uniform }, { "trilinear", brick::Deformation::Trilinear } });
+		        { { "rigid", brick::Deformation::Rigid }, { "uniform", brick::Deformation::Uniform }, { "trilinear", brick::Deformation::Trilinear }, { "refined", brick::Deformation::Refined } });
 	}
 	brick::Element elementOf(const string& name)
 	{
@@ -85,7 +85,7 @@ namespace {
 	{
 		static std::map<std::vector<Real>, boost::weak_ptr<const brick::InnerPart>> inUse;
 		std::vector<Real>                                                           key {
-                        Real(int(type.deformation)), Real(int(type.element)), Real(int(type.inner)), type.thickness, type.young, type.poisson, type.density
+                        Real(int(type.deformation)), Real(int(type.element)), Real(int(type.inner)), Real(type.cells), type.thickness, type.young, type.poisson, type.density
 		};
 		for (const auto& c : type.corners)
 			key.insert(key.end(), c.data(), c.data() + 3);
@@ -110,6 +110,26 @@ namespace {
 
 } // namespace
 
+namespace {
+
+	/// Room for the numbers of a brick's modes or nodes, a thread's own.
+	Real* workingSpace(int count)
+	{
+		thread_local std::vector<Real> space;
+		if (int(space.size()) < count) space.resize(count);
+		return space.data();
+	}
+
+	void nodesFrom(const brick::ModeColumns& columns, const std::vector<Real>& modal, std::vector<Vector3r>& nodal)
+	{
+		if (columns.paddedDofs() == columns.dofs()) return columns.displacements(modal.data(), nodal[0].data());
+		Real* const padded = workingSpace(columns.paddedDofs());
+		columns.displacements(modal.data(), padded);
+		std::copy(padded, padded + columns.dofs(), nodal[0].data());
+	}
+
+} // namespace
+
 void Brick::postLoad(Brick&)
 {
 	level = deformationOf(deformation);
@@ -117,9 +137,10 @@ void Brick::postLoad(Brick&)
 	innerOf(inner);
 	if (segments < 1 || segments > brick::largestSegments)
 		throw std::invalid_argument("Brick.segments: " + std::to_string(segments) + "; allowed is 1 to " + std::to_string(brick::largestSegments));
+	if (level == brick::Deformation::Refined) checkCells();
 	keepDeformation();
 	// joints and contacts of the first step, before the material is known, must find a deformable brick
-	displacement.resize(isDeformable() ? brick::nodeCount : 0, Vector3r::Zero());
+	displacement.resize(isDeformable() ? surfaceNodes() : 0, Vector3r::Zero());
 	displacementRate.resize(displacement.size(), Vector3r::Zero());
 	inside.reset();
 	counted = false;
@@ -138,7 +159,19 @@ void Brick::postLoad(Brick&)
 }
 
 /// What the inner part depends on besides corners and material.
-string Brick::innerAttributes() const { return brick::message(deformation, ", ", element, ", ", inner, ", r = ", contactThickness); }
+string Brick::innerAttributes() const
+{
+	return brick::message(deformation, ", ", element, ", ", inner, ", r = ", contactThickness, ", cells = ", surfaceCells());
+}
+
+void Brick::checkCells() const
+{
+	if (cells < 1 || cells > brick::largestCells)
+		throw std::invalid_argument(brick::message("Brick.cells: ", cells, "; allowed is 1 to ", brick::largestCells));
+	if (segments % cells != 0)
+		throw std::invalid_argument(
+		        brick::message("Brick.segments: ", segments, " segments with cells = ", cells, "; the segments of a refined brick must be a multiple of its cells"));
+}
 
 /// The amplitudes belong to the modes that they were made with: a brick that is deformed must keep these, one that is not may begin anew.
 void Brick::keepDeformation()
@@ -165,6 +198,7 @@ const brick::InnerPart* Brick::innerPart(const BrickMat& material)
 	type.deformation = deformationOf(deformation);
 	type.element     = elementOf(element);
 	type.inner       = innerOf(inner);
+	type.cells       = surfaceCells();
 	type.thickness   = contactThickness;
 	type.young       = material.young;
 	type.poisson     = material.poisson;
@@ -173,18 +207,18 @@ const brick::InnerPart* Brick::innerPart(const BrickMat& material)
 	insideMaterial   = { material.young, material.poisson, material.density };
 	counted          = false;
 	insideAs         = innerAttributes();
-	amplitudes.resize(inside->modes.count, 0);
-	rates.resize(inside->modes.count, 0);
+	amplitudes.resize(inside->modes.count(), 0);
+	rates.resize(inside->modes.count(), 0);
 	return inside.get();
 }
 
-void Brick::advance(const brick::Nodes& forces, Real dampingRatio, Real localDamping, Real dt)
+void Brick::advance(const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt)
 {
-	const auto&                         modes = inside->modes;
-	std::array<Real, brick::dofCount> load;
-	inside->columns.loads(forces[0].data(), load.data());
-	for (int k = 0; k < modes.count; ++k) {
-		const auto next = brick::advanced({ amplitudes[k], rates[k] }, load[k], modes.omegaSquared[k], dampingRatio, localDamping, dt);
+	const auto& omegaSquared = inside->modes.omegaSquared;
+	Real* const load         = workingSpace(inside->columns.paddedModes());
+	inside->columns.loads(forces[0].data(), load);
+	for (std::size_t k = 0; k < omegaSquared.size(); ++k) {
+		const auto next = brick::advanced({ amplitudes[k], rates[k] }, load[k], omegaSquared[k], dampingRatio, localDamping, dt);
 		amplitudes[k]   = next.amplitude;
 		rates[k]        = next.rate;
 	}
@@ -201,18 +235,18 @@ void Brick::setAmplitudes(const std::vector<Real>& given)
 /// Displacement of the nodes and its rate from the modes.
 void Brick::updateNodes()
 {
-	inside->columns.displacements(amplitudes.data(), displacement[0].data());
-	inside->columns.displacements(rates.data(), displacementRate[0].data());
+	nodesFrom(inside->columns, amplitudes, displacement);
+	nodesFrom(inside->columns, rates, displacementRate);
 }
 
-brick::Nodes Brick::innerNodes() const { return inside ? inside->nodes : nodesOf(corners); }
+std::vector<Vector3r> Brick::innerNodes() const { return inside ? inside->nodes : corners; }
 
 Real Brick::elasticEnergy() const
 {
 	if (!isDeformable()) return 0;
 	if (!inside) return NaN;
 	Real energy = 0;
-	for (int k = 0; k < inside->modes.count; ++k)
+	for (std::size_t k = 0; k < amplitudes.size(); ++k)
 		energy += inside->modes.omegaSquared[k] * amplitudes[k] * amplitudes[k] / 2;
 	return energy;
 }
@@ -246,14 +280,22 @@ brick::Side Brick::side(const Vector3r& position, const State& state) const
 	s.contactLength = &contactLength;
 	s.segments      = segments;
 	s.placement     = placement(position, state);
+	s.cells         = surfaceCells();
 	return s;
+}
+
+Vector3r Brick::deformedNode(int a) const
+{
+	const int      n     = surfaceCells();
+	const Vector3r place = a < brick::nodeCount ? corners[a] : brick::gridPoint(solid->corners, brick::surfaceGrid(n).gridPlace(a), n);
+	return displacement.empty() ? place : Vector3r(place + displacement[a]);
 }
 
 bool Brick::reachesOut(const State& state, const Vector3r& lower, const Vector3r& upper) const
 {
 	const Matrix3r R = state.ori.toRotationMatrix();
-	for (int a = 0; a < brick::nodeCount; ++a) {
-		const Vector3r x = state.pos + R * deformedCorner(a);
+	for (int a = 0; a < surfaceNodes(); ++a) {
+		const Vector3r x = state.pos + R * deformedNode(a);
 		if ((x.array() < lower.array()).any() || (x.array() > upper.array()).any()) return true;
 	}
 	return false;
@@ -264,7 +306,7 @@ std::vector<Vector3r> Brick::worldCorners(const shared_ptr<State>& state) const
 	if (!state) throw std::invalid_argument("state is None; it must be the State of the brick's body");
 	std::vector<Vector3r> out;
 	for (std::size_t a = 0; a < corners.size(); ++a)
-		out.push_back(state->pos + state->ori * deformedCorner(int(a)));
+		out.push_back(state->pos + state->ori * deformedNode(int(a)));
 	return out;
 }
 
@@ -272,10 +314,7 @@ Vector6r Brick::stress() const
 {
 	if (!isDeformable()) return Vector6r::Zero();
 	if (!inside) return Vector6r::Constant(NaN);
-	brick::Vector24 u;
-	for (int a = 0; a < brick::nodeCount; ++a)
-		u.segment<3>(3 * a) = displacement[a];
-	return brick::centreStress(inside->nodes, inside->young, inside->poisson, u);
+	return inside->meanStress(Eigen::Map<const brick::VectorX>(displacement[0].data(), 3 * int(displacement.size())));
 }
 
 Real Brick::volume() const { return corners.empty() ? NaN : brick::solidProperties(nodesOf(corners)).volume; }
@@ -311,8 +350,8 @@ void Bo1_Brick_Aabb::go(const shared_ptr<Shape>& shape, shared_ptr<Bound>& bound
 	if (!b.solid || !dynamic_cast<const BrickMat*>(body->material.get())) return;
 	if (!bound) bound = shared_ptr<Bound>(new Aabb);
 	Vector3r lower, upper;
-	for (int a = 0; a < brick::nodeCount; ++a) {
-		const Vector3r turned = se3.orientation * b.deformedCorner(a);
+	for (int a = 0; a < b.surfaceNodes(); ++a) {
+		const Vector3r turned = se3.orientation * b.deformedNode(a);
 		lower                 = a ? Vector3r(lower.cwiseMin(turned)) : turned;
 		upper                 = a ? Vector3r(upper.cwiseMax(turned)) : turned;
 	}

@@ -47,16 +47,18 @@ public:
 
 	/// Moves the deformation part by a step under nodal forces in body axes [N].
 	/// @param localDamping of the modes, as NewtonIntegrator.damping is of the rigid motion
-	void advance(const brick::Nodes& forces, Real dampingRatio, Real localDamping, Real dt);
+	void advance(const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt);
 
-	/// Whether a corner is outside of a box, world axes.
+	/// Whether a node of the surface is outside of a box, world axes.
 	bool reachesOut(const State&, const Vector3r& lower, const Vector3r& upper) const;
 
 	/// Deforms it at rest.
 	void setAmplitudes(const std::vector<Real>&);
 
-	Vector3r     deformedCorner(int a) const { return displacement.empty() ? corners[a] : Vector3r(corners[a] + displacement[a]); } ///< body axes [m]
-	brick::Nodes innerNodes() const; ///< of the inner hexahedron at rest, body axes [m]; the corners of a rigid brick
+	int                   surfaceCells() const { return level == brick::Deformation::Refined ? cells : 1; } ///< along each edge of a face
+	int                   surfaceNodes() const { return brick::surfaceGrid(surfaceCells()).size(); }
+	Vector3r              deformedNode(int a) const; ///< of the surface, the corners first; body axes [m]
+	std::vector<Vector3r> innerNodes() const;        ///< surface of the inner part at rest, body axes [m]; the corners of a rigid brick
 	Real         elasticEnergy() const;
 	Real         kineticEnergy() const;
 
@@ -74,16 +76,19 @@ public:
 
 A deformable brick has an inner hexahedron, an 8-node finite element that deforms relative to the body's rigid motion, and an outer contact part of constant thickness cut into segments. Mass and inertia (:yref:`State.mass`, :yref:`State.inertia`) are those of the whole solid: use ``yade_brick.brick`` to make bodies.
 
+Instead of one element, the inner part of a 'refined' brick is :yref:`cells<Brick.cells>` x cells x cells of them, condensed to the nodes on its surface [Guyan1965]_; joints and contacts see each face as cells x cells bilinear patches. What the inside does by itself, above its own lowest frequency, is left out.
+
 Limitations: small strain in the co-rotated frame; inertia forces of the rotation (centrifugal) do not load the element.)",
 		((vector<Vector3r>, corners, , Attr::triggerPostLoad, "Eight corners at rest in body axes [m]: the origin is the centre of gravity and the axes are principal axes of inertia. Order: (---), (+--), (++-), (-+-), then the same with z +."))
-		((string, deformation, "trilinear", Attr::triggerPostLoad, "How deformation is followed: 'rigid' (not at all: refined DEM), 'uniform' (the 6 states of constant strain) or 'trilinear' (all 18 modes of the element)."))
+		((string, deformation, "trilinear", Attr::triggerPostLoad, "How deformation is followed: 'rigid' (not at all: refined DEM), 'uniform' (the 6 states of constant strain), 'trilinear' (all 18 modes of the element) or 'refined' (elements in each brick, see :yref:`cells<Brick.cells>`)."))
+		((int, cells, 2, Attr::triggerPostLoad, "Elements along each edge of the inner part of a 'refined' brick, 1 to 8; :yref:`segments<Brick.segments>` must be a multiple. A step costs about as the fourth power of it."))
 		((string, element, "full", Attr::triggerPostLoad, "Stiffness of the inner hexahedron: 'full' (2x2x2 Gauss points, as the paper; too stiff in bending), 'incompatible' (bends right) or 'bbar' (for nu near 0.5)."))
 		((string, inner, "inset", Attr::triggerPostLoad, "Where the inner hexahedron ends: 'inset' by :yref:`contactThickness<Brick.contactThickness>` (the paper) or 'full', the brick's own corners."))
 		((Real, contactThickness, NaN, Attr::triggerPostLoad, "Thickness r of the contact part [m], eq. (16). Needed unless rigid."))
 		((int, segments, 4, Attr::triggerPostLoad, "Segments along each edge of a face, 1 to 64."))
 		((vector<Real>, amplitudes, , Attr::readonly, "Amplitude of each deformation mode [sqrt(kg) m]; empty before the first step and for rigid bricks."))
 		((vector<Real>, rates, , Attr::readonly, "Rate of each amplitude, half a step before [sqrt(kg) m/s]."))
-		((vector<Vector3r>, displacement, , Attr::readonly, "Displacement of the eight nodes relative to the rigid motion, body axes [m]; empty for rigid bricks."))
+		((vector<Vector3r>, displacement, , Attr::readonly, "Displacement of the eight nodes relative to the rigid motion, body axes [m]; empty for rigid bricks. Of a 'refined' brick all 6 cells^2 + 2 nodes on the surface: the corners first, then by place in the grid, x fastest and z slowest."))
 		((vector<Vector3r>, displacementRate, , Attr::readonly, "Its rate, half a step before [m/s]."))
 		((bool, whole, false, Attr::readonly, "Whether the brick has mortar joints and all segments of all of them hold."))
 		((int, joints, 0, Attr::readonly, "Mortar joints that were laid at this brick."))
@@ -91,7 +96,7 @@ Limitations: small strain in the co-rotated frame; inertia forces of the rotatio
 		/*ctor*/ createIndex();,
 		/*py*/
 		.def("worldCorners", &Brick::worldCorners, (boost::python::arg("state")), "Deformed corners in world axes for the given state [m], in the order of corners.")
-		.def("stress", &Brick::stress, "Mean stress of the inner hexahedron in body axes [Pa], tension positive: xx, yy, zz, xy, yz, zx. Zero for a rigid brick; NaN before the first step after making or loading, when the material is not known yet.")
+		.def("stress", &Brick::stress, "Mean stress of the inner part in body axes [Pa], tension positive: xx, yy, zz, xy, yz, zx. Zero for a rigid brick; NaN before the first step after making or loading, when the material is not known yet.")
 		.def("elasticEnergy", &Brick::elasticEnergy, "Elastic energy of the deformation [J]; zero for a rigid brick, NaN as stress.")
 		.def("kineticEnergy", &Brick::kineticEnergy, "Kinetic energy of the deformation, half a step before [J]; that of the rigid motion is not in it.")
 		.add_property("volume", &Brick::volume, "Volume at rest [m3].")
@@ -109,6 +114,7 @@ private:
 	std::array<Real, 3>                insideMaterial { 0, 0, 0 }; // young, poisson, density that `inside` was made for
 	string                             insideAs;                   // and the attributes
 	string                             innerAttributes() const;
+	void                               checkCells() const;
 	void                               keepDeformation();
 	void                               updateNodes();
 };

@@ -269,8 +269,7 @@ std::vector<Vector3r> BrickPhys::segmentPoints(const shared_ptr<BrickGeom>& geom
 {
 	needStep(geom);
 	return ofSegments<Vector3r>([&](int s) {
-		const auto segment = brick::segmentOf(joint, s);
-		return Vector3r(geom->origin + geom->motion.middle(segment.p, segment.q));
+		return Vector3r(geom->origin + geom->motion.middle(brick::segmentOf(joint, s)));
 	});
 }
 
@@ -317,7 +316,7 @@ namespace {
 	{
 		phys.memory       = brick::tractionsOfJoint(phys.joint, geom.motion, phys.springs.tanFriction, side0, side1);
 		phys.failureModes = phys.segmentState();
-		phys.contactLoads.reset(new std::array<brick::Loads, 2>);
+		phys.contactLoads.reset(new std::array<brick::Loads, 2> { brick::Loads(side0.cells), brick::Loads(side1.cells) });
 		for (int side = 0; side < 2; ++side) {
 			brick::Loads&      loads = (*phys.contactLoads)[side];
 			const brick::Side& body  = side == 0 ? side0 : side1;
@@ -334,15 +333,15 @@ namespace {
 
 void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phys)
 {
-	const Stopwatch      watch(jointSeconds);
-	const Body &         first = *Body::byId(phys.ids[0], scene), &second = *Body::byId(phys.ids[1], scene);
-	brick::PairSummary   sum;
-	brick::CornerVectors rate { brick::CornerVectors::Zero() };
+	const Stopwatch                       watch(jointSeconds);
+	const Body &                          first = *Body::byId(phys.ids[0], scene), &second = *Body::byId(phys.ids[1], scene);
+	brick::PairSummary                    sum;
+	std::optional<brick::JointPlacements> moving;
 	if (!phys.joint.holds()) {
 		const Vector3r& at = second.state->pos;
-		rate = brick::openingRate(phys.joint, geom.motion, sideOfBody(first, geom.supportSolid, at).placement, sideOfBody(second, geom.supportSolid, at).placement);
+		moving             = { sideOfBody(first, geom.supportSolid, at).placement, sideOfBody(second, geom.supportSolid, at).placement };
 	}
-	const auto failures = brick::jointLoads(phys.joint, geom.motion, rate, phys.springs.tanFriction, phys.loads, sum);
+	const auto failures = brick::jointLoads(phys.joint, geom.motion, moving ? &*moving : nullptr, phys.springs.tanFriction, phys.loads, sum);
 	if (phys.joint.shape->faces[0].face < 0) phys.loads.torque[0] += (geom.origin - first.state->pos).cross(phys.loads.forceOn(0));
 	fillReport(sum, geom.origin, geom, phys);
 	if (failures.total() == 0) return;

@@ -38,17 +38,15 @@ namespace {
 
 	/// What acts on a brick, summed over its interactions in the order of ids.
 	struct Total {
-		Vector3r     force { Vector3r::Zero() }, torque { Vector3r::Zero() };
-		brick::Nodes nodal;
-		Matrix3r     rotation;          // of the body
-		bool         deformable; // so that nodal is wanted
-		int          holding = 0; // joints all of whose segments hold
+		Vector3r             force { Vector3r::Zero() }, torque { Vector3r::Zero() };
+		Matrix3r             rotation;    // of the body
+		brick::NodalVectors* nodal;       // null for a rigid body
+		int                  holding = 0; // joints all of whose segments hold
 
-		Total(const Matrix3r& rotation, bool deformable)
+		Total(const Matrix3r& rotation, brick::NodalVectors* nodal)
 		        : rotation(rotation)
-		        , deformable(deformable)
+		        , nodal(nodal)
 		{
-			nodal.fill(Vector3r::Zero());
 		}
 		void add(const BrickPhys& phys, Body::id_t id)
 		{
@@ -63,15 +61,15 @@ namespace {
 		{
 			force += phys.loads.forceOn(side);
 			torque += phys.loads.torque[side];
-			if (deformable) brick::addNodalForces(phys.joint, phys.loads, side, rotation, nodal.data());
+			if (nodal) brick::addNodalForces(phys.joint, phys.loads, side, rotation, nodal->data());
 			holding += phys.joint.holds();
 		}
 		void addContact(const brick::Loads& loads)
 		{
 			force += loads.force;
 			torque += loads.torque;
-			for (int a = 0; a < brick::nodeCount && deformable; ++a)
-				nodal[a] += loads.nodal[a];
+			for (std::size_t a = 0; nodal && a < nodal->size(); ++a)
+				(*nodal)[a] += loads.nodal[a];
 		}
 	};
 
@@ -147,13 +145,16 @@ void BrickDynamics::moveOn(Body& b, Sum& sum)
 	const int first = firstActing[b.getId()], end = firstActing[b.getId() + 1];
 	sum.any         = first < end;
 	if (!shape && !sum.any) return;
-	Total total(b.state->ori.toRotationMatrix(), shape && shape->isDeformable());
+	thread_local brick::NodalVectors nodal; // keeps its room from brick to brick
+	const bool                       deformable = shape && shape->isDeformable();
+	if (deformable) nodal.assign(shape->displacement.size(), Vector3r::Zero());
+	Total total(b.state->ori.toRotationMatrix(), deformable ? &nodal : nullptr);
 	for (int i = first; i < end; ++i)
 		total.add(static_cast<const BrickPhys&>(*acting[i]), b.getId());
 	sum.force = total.force, sum.torque = total.torque;
 	if (!shape) return;
 	shape->whole = shape->joints > 0 && total.holding == shape->joints;
-	if (shape->isDeformable()) shape->advance(total.nodal, static_cast<const BrickMat&>(*b.material).dampingRatio, damping, scene->dt);
+	if (deformable) shape->advance(nodal, static_cast<const BrickMat&>(*b.material).dampingRatio, damping, scene->dt);
 	if (!scene->doSort && !scene->isPeriodic) askForNewBounds(b, *shape);
 }
 

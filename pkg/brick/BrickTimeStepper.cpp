@@ -113,13 +113,14 @@ BrickTimeStepper::Step BrickTimeStepper::stepOf(const Body& b, Brick& shape, con
 		key.push_back(f.normal), key.push_back(f.shear);
 	for (const auto& c : shape.solid->corners)
 		key.insert(key.end(), c.data(), c.data() + 3);
-	if (inner)
-		for (int k = 0; k < inner->modes.count; ++k)
-			key.push_back(inner->modes.omegaSquared[k]);
+	if (inner) {
+		const auto& type = inner->cells > 1 ? inner->surfaceMasses : inner->modes.omegaSquared;
+		key.insert(key.end(), type.begin(), type.end());
+	}
 	if (shared.size() > mostShared) shared.clear();
 	auto found = shared.find(key);
 	if (found == shared.end()) {
-		const auto fastest = brick::fastestMotion(*shape.solid, springs, state.mass, state.inertia, inner ? &inner->modes : nullptr);
+		const auto fastest = brick::fastestMotion(*shape.solid, springs, state.mass, state.inertia, inner);
 		found              = shared.emplace(key, Step { brick::stableStep(fastest.omegaSquared, partners.dashpotTime), fastest.face }).first;
 	}
 	return found->second;

@@ -44,31 +44,39 @@ namespace serialization {
 		s.archive([&ar](auto& value) { ar& make_nvp("values", value); });
 	}
 
-	template <class A> void serialize(A& ar, brick::JointFace& f, unsigned)
+	template <class A> void serialize(A& ar, brick::JointFace& f, unsigned) { ar& make_nvp("face", f.face) & make_nvp("normal", f.normal); }
+
+	template <class A> void serialize(A& ar, brick::PatchSide& s, unsigned)
 	{
-		ar& make_nvp("face", f.face) & make_nvp("normal", f.normal);
-		for (int& node : f.nodes)
+		for (int& node : s.nodes)
 			ar& make_nvp("node", node);
-		serializeMatrix(ar, "corner", f.corners);
-		serializeMatrix(ar, "weight", f.weights);
+		serializeMatrix(ar, "corner", s.corners);
+		serializeMatrix(ar, "weight", s.weights);
 	}
 
 	template <class A> void serialize(A& ar, brick::JointSegment& s, unsigned)
 	{
 		int state = int(s.state);
-		ar& make_nvp("p", s.p) & make_nvp("q", s.q) & make_nvp("area", s.area) & make_nvp("state", state);
+		ar& make_nvp("patch", s.patch) & make_nvp("p", s.p) & make_nvp("q", s.q) & make_nvp("area", s.area) & make_nvp("state", state);
 		s.state = brick::SegmentState(state);
+	}
+
+	template <class A> void serialize(A& ar, brick::JointPatch& p, unsigned)
+	{
+		ar& make_nvp("side0", p.sides[0]) & make_nvp("side1", p.sides[1]) & make_nvp("count", p.count) & make_nvp("cut", p.cut);
+		for (int& number : p.rows)
+			ar& make_nvp("rows", number);
+		for (auto& place : p.outermost)
+			ar& make_nvp("outermost", place);
+		serializeMatrix(ar, "weight", p.weight);
 	}
 
 	template <class A> void serialize(A& ar, brick::JointShape& j, unsigned)
 	{
-		ar& make_nvp("side0", j.faces[0]) & make_nvp("side1", j.faces[1]) & make_nvp("springs", j.springs) & make_nvp("strength", j.strength);
-		ar& make_nvp("along", j.along) & make_nvp("count", j.count) & make_nvp("cut", j.cut);
+		ar& make_nvp("face0", j.faces[0]) & make_nvp("face1", j.faces[1]) & make_nvp("springs", j.springs) & make_nvp("strength", j.strength);
+		ar& make_nvp("along", j.along) & make_nvp("count", j.count) & make_nvp("area", j.area) & make_nvp("patches", j.patches);
 		for (int& number : j.rows)
 			ar& make_nvp("rows", number);
-		for (auto& place : j.outermost)
-			ar& make_nvp("outermost", place);
-		serializeMatrix(ar, "weight", j.weight);
 	}
 
 	template <class A> void serialize(A& ar, brick::Joint& j, unsigned)

@@ -209,7 +209,7 @@ void MortarJoints::shareShape(brick::Joint& joint, const brick::Side& side0, con
 		if (brick::alike(*found->second, *joint.shape, roundOff * size)) {
 			joint.shape = found->second;
 			brick::jointMotion(joint, side0.placement, side1.placement, motion);
-			joint.restGap = (motion.opening * motion.normal).mean();
+			joint.restGap = motion.meanOpening();
 			return;
 		}
 	shapes.emplace(key, joint.shape);

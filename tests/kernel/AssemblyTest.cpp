@@ -140,7 +140,8 @@ TEST(Assembly, nodal_map_and_mass_give_back_the_solid)
 	EXPECT_NEAR(M(4, 4), tower.bricks[0].mass * edge * edge / 6, 1e-12); // of a cube about any axis
 	EXPECT_LT((M - MatrixX(M.diagonal().asDiagonal())).norm(), 1e-12);
 	// eight equal masses at the nodes see translations and modes as the assembly does, rotations with lumped inertia
-	const MatrixX map    = a.nodalMap(0, cuboidCorners(Vector3r::Constant(edge - .002)));
+	const Nodes   nodes  = cuboidCorners(Vector3r::Constant(edge - .002));
+	const MatrixX map    = a.nodalMap(0, { nodes.begin(), nodes.end() });
 	const MatrixX lumped = tower.bricks[0].mass / 8 * map.transpose() * map;
 	EXPECT_LT((lumped.bottomRightCorner(18, 18) - M.bottomRightCorner(18, 18)).norm(), 1e-12);
 	EXPECT_LT(lumped.bottomLeftCorner(18, 6).norm(), 1e-12);

@@ -126,11 +126,11 @@ inline JointMotion motionOf(const Joint& joint, const Body& first, const Body& s
 inline Failures
 stepJoint(Joint& joint, const PairSprings& springs, const Body& first, const Body& second, std::array<Loads, 2>& loads, PairSummary& sum)
 {
-	const JointMotion   motion = motionOf(joint, first, second);
-	const CornerVectors rate   = openingRate(joint, motion, first.side().placement, second.side().placement);
-	JointLoads          found;
-	const Failures      failures = jointLoads(joint, motion, rate, springs.tanFriction, found, sum);
-	loads                        = loadsOf(joint, found, first, second);
+	const JointMotion     motion = motionOf(joint, first, second);
+	const JointPlacements moving { first.side().placement, second.side().placement };
+	JointLoads            found;
+	const Failures        failures = jointLoads(joint, motion, &moving, springs.tanFriction, found, sum);
+	loads                          = loadsOf(joint, found, first, second);
 	return failures;
 }
 
@@ -138,7 +138,10 @@ stepJoint(Joint& joint, const PairSprings& springs, const Body& first, const Bod
 inline void fail(Joint& joint, int segment, SegmentState mode)
 {
 	makeSegments(joint);
-	joint.segments.row(JointSegments::State)[segment] = int(mode);
+	auto patch = joint.segments.begin();
+	for (; segment >= patch->count(); ++patch)
+		segment -= patch->count();
+	patch->row(JointSegments::State)[segment] = int(mode);
 	++(mode == SegmentState::Tension ? joint.failures.tension : mode == SegmentState::Shear ? joint.failures.shear : joint.failures.compression);
 }
 inline void failAll(Joint& joint, SegmentState mode)

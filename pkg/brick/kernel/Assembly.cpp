@@ -30,15 +30,15 @@ namespace {
 		return map;
 	}
 
-	/// Displacement of one corner of a joint's rectangle, likewise.
-	PointMap cornerMap(const AssembledBrick& b, const Matrix3r& R, const JointFace& face, int corner, const Vector3r& arm)
+	/// Displacement of one corner of a patch's rectangle, likewise.
+	PointMap cornerMap(const AssembledBrick& b, const Matrix3r& R, const PatchSide& side, int corner, const Vector3r& arm)
 	{
 		PointMap map = PointMap::Zero(3, b.coordinates());
 		map.leftCols<3>().setIdentity();
 		map.middleCols<3>(3) = -crossMatrix(arm);
 		if (b.modes)
 			for (int a = 0; a < 4; ++a)
-				map.rightCols(b.modes->count) += face.weights(corner, a) * R * b.modes->shapes.block(3 * face.nodes[a], 0, 3, b.modes->count);
+				map.rightCols(b.modes->count) += side.weights(corner, a) * R * b.modes->shapes.block(3 * side.nodes[a], 0, 3, b.modes->count);
 		return map;
 	}
 
@@ -79,15 +79,14 @@ namespace {
 
 } // namespace
 
-Nodes AssembledBrick::displacement() const
+NodalVectors AssembledBrick::displacement() const
 {
-	Vector24 u = Vector24::Zero();
-	if (modes)
-		for (int k = 0; k < modes->count; ++k)
-			u += amplitudes[k] * modes->shapes.col(k);
-	Nodes out;
-	for (int a = 0; a < nodeCount; ++a)
-		out[a] = u.segment<3>(3 * a);
+	VectorX u = VectorX::Zero(3 * nodes());
+	for (int k = 0; k < coordinates() - 6; ++k)
+		u += amplitudes[k] * modes->shapes.col(k);
+	NodalVectors out;
+	for (int a = 0; a < nodes(); ++a)
+		out.push_back(u.segment<3>(3 * a));
 	return out;
 }
 
@@ -107,7 +106,7 @@ Assembly::Assembly(std::vector<AssembledBrick> bricks, std::vector<AssembledJoin
 		checkIntact(j);
 }
 
-Placement Assembly::placement(const AssembledJoint& j, int side, Nodes& displacement) const
+Placement Assembly::placement(const AssembledJoint& j, int side, NodalVectors& displacement) const
 {
 	if (j.bricks[side] < 0) return j.support;
 	const AssembledBrick& b = parts[j.bricks[side]];
@@ -120,21 +119,42 @@ Placement Assembly::placement(const AssembledJoint& j, int side, Nodes& displace
 
 JointMotion Assembly::motionOf(const AssembledJoint& j) const
 {
-	std::array<Nodes, 2> u;
-	JointMotion          m;
+	std::array<NodalVectors, 2> u;
+	JointMotion                 m;
 	jointMotion(j.joint, placement(j, 0, u[0]), placement(j, 1, u[1]), m);
 	return m;
 }
 
 void Assembly::addJoint(const AssembledJoint& j, Triplets& out) const
 {
-	std::array<Nodes, 2>           u;
+	std::array<NodalVectors, 2>    u;
 	const std::array<Placement, 2> at { placement(j, 0, u[0]), placement(j, 1, u[1]) };
 	JointMotion                    m;
 	jointMotion(j.joint, at[0], at[1], m);
-	const Vector3r n = m.normal;
-	const Matrix3r D = j.joint.shape->springs.shear * Matrix3r::Identity() + (j.joint.shape->springs.normal - j.joint.shape->springs.shear) * n * n.transpose();
+	const SpotSprings& springs = j.joint.shape->springs;
+	const Matrix3r     D       = springs.shear * Matrix3r::Identity() + (springs.normal - springs.shear) * m.normal * m.normal.transpose();
 
+	std::array<std::array<MatrixX, 2>, 2> blocks;
+	for (int s = 0; s < 2; ++s)
+		for (int t = 0; t < 2; ++t)
+			if (j.bricks[s] >= 0 && j.bricks[t] >= 0)
+				blocks[s][t] = MatrixX::Zero(parts[j.bricks[s]].coordinates(), parts[j.bricks[t]].coordinates());
+	for (std::size_t i = 0; i < m.patches.size(); ++i)
+		addPatch(j, int(i), at, m.patches[i], D, blocks);
+	for (int s = 0; s < 2; ++s)
+		for (int t = 0; t < 2; ++t)
+			if (blocks[s][t].size() > 0) addBlock(out, places[j.bricks[s]], places[j.bricks[t]], blocks[s][t]);
+}
+
+void Assembly::addPatch(
+        const AssembledJoint&                  j,
+        int                                    number,
+        const std::array<Placement, 2>&        at,
+        const PatchMotion&                     m,
+        const Matrix3r&                        D,
+        std::array<std::array<MatrixX, 2>, 2>& blocks) const
+{
+	const JointPatch&                      patch = j.joint.shape->patches[number];
 	const std::array<CornerVectors, 2>     corners { m.place, m.place + m.opening };
 	std::array<std::array<PointMap, 4>, 2> maps;
 	for (int side = 0; side < 2; ++side) {
@@ -142,20 +162,18 @@ void Assembly::addJoint(const AssembledJoint& j, Triplets& out) const
 		const AssembledBrick& b = parts[j.bricks[side]];
 		for (int c = 0; c < 4; ++c) {
 			const Vector3r arm = at[0].position + Vector3r(corners[side].row(c)) - b.position;
-			maps[side][c]      = cornerMap(b, at[side].rotation, j.joint.shape->faces[side], c, arm);
+			maps[side][c]      = cornerMap(b, at[side].rotation, patch.sides[side], c, arm);
 		}
 	}
 	for (int s = 0; s < 2; ++s)
 		for (int t = 0; t < 2; ++t) {
-			if (j.bricks[s] < 0 || j.bricks[t] < 0) continue;
-			MatrixX block = MatrixX::Zero(maps[s][0].cols(), maps[t][0].cols());
+			if (blocks[s][t].size() == 0) continue;
 			for (int c = 0; c < 4; ++c) {
 				PointMap moved = PointMap::Zero(3, maps[t][0].cols());
 				for (int d = 0; d < 4; ++d)
-					moved += j.joint.shape->weight(c, d) * maps[t][d];
-				block += (s == t ? 1 : -1) * maps[s][c].transpose() * (D * moved);
+					moved += patch.weight(c, d) * maps[t][d];
+				blocks[s][t] += (s == t ? 1 : -1) * maps[s][c].transpose() * (D * moved);
 			}
-			addBlock(out, places[j.bricks[s]], places[j.bricks[t]], block);
 		}
 }
 
@@ -189,14 +207,14 @@ VectorX Assembly::internalForces() const
 {
 	VectorX forces = VectorX::Zero(coordinateCount);
 	for (const auto& j : joints) {
-		std::array<Nodes, 2> u;
-		const Placement      p0 = placement(j, 0, u[0]), p1 = placement(j, 1, u[1]);
-		JointMotion          m;
-		JointLoads           loads;
-		PairSummary          sum;
-		Joint                holding = unbreakable(j.joint);
+		std::array<NodalVectors, 2> u;
+		const Placement             p0 = placement(j, 0, u[0]), p1 = placement(j, 1, u[1]);
+		JointMotion                 m;
+		JointLoads                  loads;
+		PairSummary                 sum;
+		Joint                       holding = unbreakable(j.joint);
 		jointMotion(holding, p0, p1, m);
-		jointLoads(holding, m, CornerVectors::Zero(), 0, loads, sum);
+		jointLoads(holding, m, nullptr, 0, loads, sum);
 		const std::array<const Placement*, 2> at { &p0, &p1 };
 		for (int side = 0; side < 2; ++side) {
 			if (j.bricks[side] < 0) continue;
@@ -205,11 +223,10 @@ VectorX Assembly::internalForces() const
 			forces.segment<3>(place) += loads.forceOn(side);
 			forces.segment<3>(place + 3) += loads.torque[side];
 			if (!b.modes) continue;
-			Nodes nodal;
-			nodal.fill(Vector3r::Zero());
+			NodalVectors nodal(b.nodes(), Vector3r::Zero());
 			addNodalForces(holding, loads, side, at[side]->rotation, nodal.data());
 			for (int k = 0; k < b.modes->count; ++k)
-				for (int a = 0; a < nodeCount; ++a)
+				for (int a = 0; a < b.nodes(); ++a)
 					forces[place + 6 + k] += b.modes->shapes.col(k).segment<3>(3 * a).dot(nodal[a]);
 		}
 	}
@@ -219,13 +236,13 @@ VectorX Assembly::internalForces() const
 	return forces;
 }
 
-MatrixX Assembly::nodalMap(int brick, const Nodes& nodes) const
+MatrixX Assembly::nodalMap(int brick, const std::vector<Vector3r>& nodes) const
 {
 	const AssembledBrick& b = parts[brick];
 	const Matrix3r        R = b.orientation.toRotationMatrix();
-	const Nodes           u = b.displacement();
-	MatrixX               map(dofCount, b.coordinates());
-	for (int a = 0; a < nodeCount; ++a)
+	const NodalVectors    u = b.displacement();
+	MatrixX               map(3 * int(nodes.size()), b.coordinates());
+	for (int a = 0; a < int(nodes.size()); ++a)
 		map.middleRows<3>(3 * a) = nodeMap(b, R, a, R * (nodes[a] + u[a]));
 	return map;
 }

@@ -27,8 +27,9 @@ struct AssembledBrick {
 	std::array<bool, 6> held { false, false, false, false, false, false };
 
 	int coordinates() const { return 6 + (modes ? modes->count : 0); }
+	int nodes() const { return modes ? int(modes->shapes.rows()) / 3 : nodeCount; } ///< of the surface
 	/// Displacement of the nodes, body axes [m].
-	Nodes displacement() const;
+	NodalVectors displacement() const;
 };
 
 struct AssembledJoint {
@@ -52,9 +53,9 @@ public:
 	SparseMatrix mass() const;
 	/// Generalised forces of joints and inner parts in the present state.
 	VectorX internalForces() const;
-	/// Displacement of a brick's nodes in world axes (24) for each of its coordinates: nodal forces go back through the transpose.
-	/// @param nodes of the brick or of its inner part at rest, body axes [m]
-	MatrixX nodalMap(int brick, const Nodes& nodes) const;
+	/// Displacement of a brick's nodes in world axes (three rows a node) for each of its coordinates: nodal forces go back through the transpose.
+	/// @param nodes of the surface of the brick or of its inner part at rest, body axes [m]
+	MatrixX nodalMap(int brick, const std::vector<Vector3r>& nodes) const;
 	/// A first brick that can move freely, since no chain of joints leads from it to a support or a held brick; -1: none.
 	int freeBrick() const;
 
@@ -72,9 +73,17 @@ private:
 	std::vector<bool>           held;
 	int                         coordinateCount = 0;
 
-	Placement   placement(const AssembledJoint&, int side, Nodes& displacement) const;
+	Placement   placement(const AssembledJoint&, int side, NodalVectors& displacement) const;
 	JointMotion motionOf(const AssembledJoint&) const;
 	void        addJoint(const AssembledJoint&, std::vector<Eigen::Triplet<Real>>&) const;
+	/// Adds a patch's stiffness to the blocks of the joint's two bricks; blocks of a support are empty.
+	void addPatch(
+	        const AssembledJoint&,
+	        int                             number,
+	        const std::array<Placement, 2>& at,
+	        const PatchMotion&,
+	        const Matrix3r&                        springs,
+	        std::array<std::array<MatrixX, 2>, 2>& blocks) const;
 };
 
 /// What settle() reached.

@@ -102,7 +102,7 @@ ContactMemory tractionsOfJoint(const Joint& joint, const JointMotion& motion, Re
 			Real distance = std::numeric_limits<Real>::infinity();
 			for (int i = 0; i < joint.count(); ++i) {
 				const JointSegment segment = segmentOf(joint, i);
-				const Vector3r     x       = jointFace.corners.transpose() * cornerWeights(segment.p, segment.q);
+				const Vector3r     x       = joint.shape->patches[segment.patch].sides[s].corners.transpose() * cornerWeights(segment.p, segment.q);
 				if ((x - centre).squaredNorm() < distance) distance = (x - centre).squaredNorm(), nearest = i;
 			}
 			const Vector3r onSide0 = segmentTraction(joint, nearest, motion, tanFriction).shear;

@@ -35,15 +35,37 @@ namespace {
 		return plane;
 	}
 
-	/// A face laid into the plane, counter-clockwise.
-	struct FlatFace {
+	/// One of the cells of a face, at rest.
+	struct FaceCell {
+		std::array<int, 4>      nodes;
+		std::array<Vector3r, 4> corners; ///< body axes [m]
+		Face                    shape;
+	};
+
+	std::vector<FaceCell> cellsOf(const Side& side, int face)
+	{
+		std::vector<FaceCell> out;
+		const SurfaceGrid&    grid = surfaceGrid(side.cells);
+		for (int row = 0; row < grid.cells(); ++row)
+			for (int column = 0; column < grid.cells(); ++column) {
+				FaceCell cell { grid.cellNodes(face, column, row), {}, {} };
+				for (int a = 0; a < 4; ++a)
+					cell.corners[a] = gridPoint(side.solid->corners, grid.gridPlace(cell.nodes[a]), grid.cells());
+				cell.shape = Face::of(cell.corners[0], cell.corners[1], cell.corners[2], cell.corners[3]);
+				out.push_back(cell);
+			}
+		return out;
+	}
+
+	/// A cell laid into the plane, counter-clockwise.
+	struct FlatCell {
 		std::array<Vector2r, 4> corners;
 		Vector2r                lower, upper;
 
-		FlatFace(const Side& side, int face, const Plane& plane, bool reversed)
+		FlatCell(const Side& side, const FaceCell& cell, const Plane& plane, bool reversed)
 		{
 			for (int a = 0; a < 4; ++a)
-				corners[a] = plane.flat(worldPoint(side, side.solid->corners[faceNodes[face][reversed ? 3 - a : a]]));
+				corners[a] = plane.flat(worldPoint(side, cell.corners[reversed ? 3 - a : a]));
 			lower = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]).cwiseMin(corners[3]);
 			upper = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]).cwiseMax(corners[3]);
 		}
@@ -55,7 +77,7 @@ namespace {
 		}
 	};
 
-	Cell::Vertex vertexAt(const Vector2r& p, const FlatFace& a, const FlatFace& b)
+	Cell::Vertex vertexAt(const Vector2r& p, const FlatCell& a, const FlatCell& b)
 	{
 		Cell::Vertex v;
 		v.head<3>() << p, 0;
@@ -64,8 +86,8 @@ namespace {
 		return v;
 	}
 
-	/// The part of a grid cell inside both faces.
-	Cell cellInOverlap(const Vector2r& at, const Vector2r& step, const FlatFace& a, const FlatFace& b)
+	/// The part of a grid's cell inside both cells.
+	Cell cellInOverlap(const Vector2r& at, const Vector2r& step, const FlatCell& a, const FlatCell& b)
 	{
 		const Vector2r right(step[0], 0), up(0, step[1]);
 		Cell           cell(vertexAt(at, a, b), vertexAt(at + right, a, b), vertexAt(at + step, a, b), vertexAt(at + up, a, b));
@@ -81,58 +103,53 @@ namespace {
 		return 2 * std::max(f.e1.norm(), f.e2.norm()) / side.segments;
 	}
 
-	/// Weights of a face's nodes that give a point x of its plane: the face's bilinear ones, also beyond its edges, if it is a parallelogram; otherwise the smallest
+	/// Weights of a cell's nodes that give a point x of its plane: the bilinear ones, also beyond its edges, if it is a parallelogram; otherwise the smallest
 	/// that sum to one.
-	Vector4r faceWeights(const Side& side, int face, const Vector3r& x)
+	Vector4r weightsAt(const FaceCell& cell, const Vector3r& x)
 	{
-		const Face& f = side.solid->faces[face];
+		const Face& f = cell.shape;
 		if (f.parallelogram) return bilinear(f.dual1.dot(x - f.centre), f.dual2.dot(x - f.centre));
 		Eigen::Matrix<Real, 3, 4> A;
 		for (int a = 0; a < 4; ++a) {
-			const Vector3r d = side.solid->corners[faceNodes[face][a]] - f.centre;
+			const Vector3r d = cell.corners[a] - f.centre;
 			A.col(a) << 1, f.dual1.dot(d), f.dual2.dot(d);
 		}
 		const Vector3r wanted(1, f.dual1.dot(x - f.centre), f.dual2.dot(x - f.centre));
 		return A.transpose() * (A * A.transpose()).inverse() * wanted;
 	}
 
-	/// A brick's face with the rectangle that the joint lies in.
-	JointFace brickFace(const Side& side, int face, const std::array<Vector3r, 4>& rectangle)
+	/// A cell with the rectangle that the patch lies in.
+	PatchSide patchSide(const Side& side, const FaceCell& cell, const std::array<Vector3r, 4>& rectangle)
 	{
-		JointFace out;
-		out.face   = face;
-		out.normal = side.solid->faces[face].normal;
+		PatchSide out;
 		for (int c = 0; c < 4; ++c) {
 			const Vector3r x   = bodyPoint(side, rectangle[c]);
-			out.nodes[c]       = faceNodes[face][c];
 			out.corners.row(c) = x;
-			out.weights.row(c) = faceWeights(side, face, x);
+			if (side.support) continue;
+			out.nodes[c]       = cell.nodes[c];
+			out.weights.row(c) = weightsAt(cell, x);
 		}
 		return out;
 	}
 
-	JointFace supportFace(const Side& side, int face, const std::array<Vector3r, 4>& rectangle)
+	std::array<int, 2> gridRows(const Vector2r& extent, Real size)
 	{
-		JointFace out;
-		out.normal = side.solid->faces[face].normal;
-		for (int c = 0; c < 4; ++c)
-			out.corners.row(c) = bodyPoint(side, rectangle[c]);
-		return out;
+		return { std::max(1, int(std::lround(extent[0] / size))), std::max(1, int(std::lround(extent[1] / size))) };
 	}
 
-	/// Segments of the grid in the overlap of two faces.
+	/// Segments of the grid in the overlap of two cells.
 	struct Grid {
 		Vector2r                  lower, step;
 		std::array<int, 2>        rows;
 		std::vector<JointSegment> segments;
-		bool                      whole = true; ///< every cell lies in both faces
+		bool                      whole = true; ///< every cell of it lies in both
 	};
 
-	Grid gridOf(const FlatFace& a, const FlatFace& b, const Vector2r& lower, const Vector2r& extent, Real size)
+	Grid gridOf(const FlatCell& a, const FlatCell& b, const Vector2r& lower, const Vector2r& extent, Real size)
 	{
 		constexpr Real sliver = 1e-9; // of a cell
 		Grid           grid;
-		grid.rows  = { std::max(1, int(std::lround(extent[0] / size))), std::max(1, int(std::lround(extent[1] / size))) };
+		grid.rows  = gridRows(extent, size);
 		grid.lower = lower;
 		grid.step  = { extent[0] / grid.rows[0], extent[1] / grid.rows[1] };
 		const Real whole = grid.step[0] * grid.step[1];
@@ -143,25 +160,82 @@ namespace {
 				const Real   area = cell.empty() ? 0 : cell.areaAndCentroid(centre);
 				grid.whole &= area > (1 - sliver) * whole;
 				if (area <= sliver * whole) continue;
-				grid.segments.push_back({ (centre[0] - lower[0]) / extent[0], (centre[1] - lower[1]) / extent[1], area, SegmentState::Intact });
+				grid.segments.push_back({ 0, (centre[0] - lower[0]) / extent[0], (centre[1] - lower[1]) / extent[1], area, SegmentState::Intact });
 			}
 		return grid;
 	}
 
-	void takeSegments(const Grid& grid, JointShape& shape)
+	void takeSegments(const Grid& grid, JointPatch& patch)
 	{
-		shape.rows      = grid.rows;
-		shape.count     = int(grid.segments.size());
-		shape.outermost = { 1, 0, 1, 0 };
-		if (!grid.whole) shape.cut = grid.segments;
+		patch.rows      = grid.rows;
+		patch.count     = int(grid.segments.size());
+		patch.outermost = { 1, 0, 1, 0 };
+		if (!grid.whole) patch.cut = grid.segments;
 		for (const JointSegment& segment : grid.segments) {
 			const Vector4r w = cornerWeights(segment.p, segment.q);
-			shape.weight += segment.area * w * w.transpose();
-			shape.outermost = { std::min(shape.outermost[0], segment.p),
-				            std::max(shape.outermost[1], segment.p),
-				            std::min(shape.outermost[2], segment.q),
-				            std::max(shape.outermost[3], segment.q) };
+			patch.weight += segment.area * w * w.transpose();
+			patch.outermost = { std::min(patch.outermost[0], segment.p),
+				            std::max(patch.outermost[1], segment.p),
+				            std::min(patch.outermost[2], segment.q),
+				            std::max(patch.outermost[3], segment.q) };
 		}
+	}
+
+	/// Two faces that touch, seen in the plane of one, the host's: a brick's, never a support's, which may reach far.
+	struct Overlap {
+		const Side & host, &guest;
+		int          hostFace, guestFace;
+		Plane        plane;
+		Real         restGap, size; ///< of the joint, of a segment [m]
+
+		Overlap(const Side& host, int hostFace, const Side& guest, int guestFace)
+		        : host(host)
+		        , guest(guest)
+		        , hostFace(hostFace)
+		        , guestFace(guestFace)
+		        , plane(planeOf(host, hostFace))
+		        , size(std::min(segmentSize(host, hostFace), segmentSize(guest, guestFace)))
+		{
+			const Face& face = guest.solid->faces[guestFace];
+			restGap          = face.normal.dot(bodyPoint(guest, plane.origin)) - face.offset;
+		}
+		/// The patch of two cells, the host's side first; without segments when they do not overlap.
+		JointPatch patch(const FaceCell& mine, const FaceCell& its, Real tolerance) const;
+		/// Segments along both axes, as if the faces had one cell.
+		std::array<int, 2> rows(const std::vector<FaceCell>& mine, const std::vector<FaceCell>& its) const;
+	};
+
+	JointPatch Overlap::patch(const FaceCell& mine, const FaceCell& its, Real tolerance) const
+	{
+		JointPatch     out;
+		const FlatCell a(host, mine, plane, false), b(guest, its, plane, true);
+		const Vector2r lower = a.lower.cwiseMax(b.lower), upper = a.upper.cwiseMin(b.upper), extent = upper - lower;
+		if (extent.minCoeff() <= tolerance) return out;
+		takeSegments(gridOf(a, b, lower, extent, size), out);
+		// the guest's corners are moved along the host's normal to where the joint is `restGap` wide everywhere, so that nothing is strained at rest; a brick may
+		// be tilted a little, which mortar fills
+		std::array<Vector3r, 4> rectangle {
+			plane.world(lower[0], lower[1]), plane.world(upper[0], lower[1]), plane.world(upper[0], upper[1]), plane.world(lower[0], upper[1])
+		};
+		out.sides[0] = patchSide(host, mine, rectangle);
+		for (auto& corner : rectangle)
+			corner += restGap * plane.axis1.cross(plane.axis2);
+		out.sides[1] = patchSide(guest, its, rectangle);
+		return out;
+	}
+
+	std::array<int, 2> Overlap::rows(const std::vector<FaceCell>& mine, const std::vector<FaceCell>& its) const
+	{
+		FlatCell a(host, mine.front(), plane, false), b(guest, its.front(), plane, true);
+		for (const auto& cell : mine) {
+			const FlatCell flat(host, cell, plane, false);
+			a.lower = a.lower.cwiseMin(flat.lower), a.upper = a.upper.cwiseMax(flat.upper);
+		}
+		for (const auto& cell : its) {
+			const FlatCell flat(guest, cell, plane, true);
+			b.lower = b.lower.cwiseMin(flat.lower), b.upper = b.upper.cwiseMax(flat.upper);
+		}
+		return gridRows(a.upper.cwiseMin(b.upper) - a.lower.cwiseMax(b.lower), size);
 	}
 
 } // namespace
@@ -169,38 +243,29 @@ namespace {
 std::optional<Joint> joinFaces(const Side& side0, int face0, const Side& side1, int face1, Real tolerance, Real angleTolerance)
 {
 	if ((worldNormal(side0, face0) + worldNormal(side1, face1)).norm() > angleTolerance) return std::nullopt;
+	const bool    swapped = side0.support;
+	const Overlap overlap = swapped ? Overlap(side1, face1, side0, face0) : Overlap(side0, face0, side1, face1);
+	if (!(std::abs(overlap.restGap) <= tolerance)) return std::nullopt;
 
-	// the overlap is laid out on a brick's face, never on a support's, which may reach far
-	const bool     swapped = side0.support;
-	const Side &   host = swapped ? side1 : side0, &guest = swapped ? side0 : side1;
-	const int      hostFace = swapped ? face1 : face0, guestFace = swapped ? face0 : face1;
-	const Plane    plane = planeOf(host, hostFace);
-	const Vector3r away  = plane.axis1.cross(plane.axis2);
-	JointShape     shape;
-	Joint          joint;
-	joint.restGap = guest.solid->faces[guestFace].normal.dot(bodyPoint(guest, plane.origin)) - guest.solid->faces[guestFace].offset;
-	if (!(std::abs(joint.restGap) <= tolerance)) return std::nullopt;
-
-	const FlatFace a(host, hostFace, plane, false), b(guest, guestFace, plane, true);
-	const Vector2r lower = a.lower.cwiseMax(b.lower), extent = a.upper.cwiseMin(b.upper) - lower;
-	if (extent.minCoeff() <= tolerance) return std::nullopt;
-
-	const Grid grid = gridOf(a, b, lower, extent, std::min(segmentSize(host, hostFace), segmentSize(guest, guestFace)));
-	if (grid.segments.empty()) return std::nullopt;
-	takeSegments(grid, shape);
-
-	// the guest's corners are moved along the host's normal to where the joint is `restGap` wide everywhere, so that nothing is strained at rest; a brick may be
-	// tilted a little, which mortar fills
-	const Vector2r          upper = lower + extent;
-	std::array<Vector3r, 4> onHost { plane.world(lower[0], lower[1]), plane.world(upper[0], lower[1]), plane.world(upper[0], upper[1]), plane.world(lower[0], upper[1]) };
-	std::array<Vector3r, 4> onGuest;
-	for (int c = 0; c < 4; ++c)
-		onGuest[c] = onHost[c] + joint.restGap * away;
-	shape.faces[swapped]  = brickFace(host, hostFace, onHost);
-	shape.faces[!swapped] = guest.support ? supportFace(guest, guestFace, onGuest) : brickFace(guest, guestFace, onGuest);
-	shape.along           = side0.placement.rotation.transpose() * plane.axis1;
-	joint.shape           = std::make_shared<JointShape>(shape);
-	return joint;
+	JointShape shape;
+	const auto mine = cellsOf(overlap.host, overlap.hostFace), its = cellsOf(overlap.guest, overlap.guestFace);
+	for (const auto& cell : mine)
+		for (const auto& other : its) {
+			JointPatch patch = overlap.patch(cell, other, tolerance);
+			if (patch.count == 0) continue;
+			for (auto& segment : patch.cut)
+				segment.patch = int(shape.patches.size());
+			if (swapped) std::swap(patch.sides[0], patch.sides[1]);
+			shape.count += patch.count;
+			shape.area += patch.weight.sum();
+			shape.patches.push_back(patch);
+		}
+	if (shape.patches.empty()) return std::nullopt;
+	shape.rows     = overlap.rows(mine, its);
+	shape.faces[0] = { side0.support ? -1 : face0, side0.solid->faces[face0].normal };
+	shape.faces[1] = { side1.support ? -1 : face1, side1.solid->faces[face1].normal };
+	shape.along    = side0.placement.rotation.transpose() * overlap.plane.axis1;
+	return Joint { std::make_shared<JointShape>(shape), {}, {}, overlap.restGap };
 }
 
 void Joint::setMortar(const SpotSprings& springs, const MortarStrength& strength)
@@ -225,70 +290,123 @@ namespace {
 
 } // namespace
 
+namespace {
+
+	bool near(const CornerVectors& a, const CornerVectors& b, Real by) { return ((a - b).array().abs() <= by).all(); }
+	bool near(const CornerWeights& a, const CornerWeights& b, Real by) { return ((a - b).array().abs() <= by).all(); }
+	bool near(const Vector3r& a, const Vector3r& b, Real by) { return ((a - b).array().abs() <= by).all(); }
+
+	/// @param tolerance of lengths [m]   @param share of numbers without a unit
+	bool alike(const JointPatch& a, const JointPatch& b, Real tolerance, Real share)
+	{
+		for (int s = 0; s < 2; ++s)
+			if (a.sides[s].nodes != b.sides[s].nodes || !near(a.sides[s].corners, b.sides[s].corners, tolerance)
+			    || !near(a.sides[s].weights, b.sides[s].weights, share))
+				return false;
+		return a.cut.empty() && b.cut.empty() && a.rows == b.rows && near(a.weight, b.weight, share * a.weight.sum());
+	}
+
+} // namespace
+
 bool alike(const JointShape& a, const JointShape& b, Real tolerance)
 {
-	const auto near  = [](const auto& x, const auto& y, Real by) { return ((x - y).array().abs() <= by).all(); };
-	const Real share = tolerance / std::sqrt(a.weight.sum()); // of numbers without a unit
-	for (int s = 0; s < 2; ++s) {
-		const JointFace &f = a.faces[s], &g = b.faces[s];
-		if (f.face != g.face || !near(f.corners, g.corners, tolerance) || !near(f.weights, g.weights, share) || !near(f.normal, g.normal, share)) return false;
-	}
-	return a.cut.empty() && b.cut.empty() && a.rows == b.rows && same(a.springs, b.springs) && same(a.strength, b.strength)
-	        && near(a.along, b.along, share) && near(a.weight, b.weight, share * a.weight.sum());
+	const Real share = tolerance / std::sqrt(a.area);
+	for (int s = 0; s < 2; ++s)
+		if (a.faces[s].face != b.faces[s].face || !near(a.faces[s].normal, b.faces[s].normal, share)) return false;
+	if (a.patches.size() != b.patches.size() || a.rows != b.rows || !same(a.springs, b.springs) || !same(a.strength, b.strength)
+	    || !near(a.along, b.along, share))
+		return false;
+	for (std::size_t i = 0; i < a.patches.size(); ++i)
+		if (!alike(a.patches[i], b.patches[i], tolerance, share)) return false;
+	return true;
 }
 
 JointSegment segmentOf(const Joint& joint, int index)
 {
-	const JointShape& shape   = *joint.shape;
-	JointSegment      segment = !shape.cut.empty()
-	             ? shape.cut[index]
-	             : JointSegment { (index % shape.rows[0] + .5) / shape.rows[0], (index / shape.rows[0] + .5) / shape.rows[1], joint.area() / shape.count };
-	if (joint.segments.count() > 0) segment.state = SegmentState(int(joint.segments.row(JointSegments::State)[index]));
+	JointSegment segment;
+	int          at = index;
+	for (; at >= joint.shape->patches[segment.patch].count; ++segment.patch)
+		at -= joint.shape->patches[segment.patch].count;
+	const JointPatch& patch = joint.shape->patches[segment.patch];
+	if (!patch.cut.empty()) segment = patch.cut[at];
+	else {
+		segment.p    = (at % patch.rows[0] + .5) / patch.rows[0];
+		segment.q    = (at / patch.rows[0] + .5) / patch.rows[1];
+		segment.area = patch.weight.sum() / patch.count;
+	}
+	if (!joint.segments.empty()) segment.state = SegmentState(int(joint.segments[segment.patch].row(JointSegments::State)[at]));
 	return segment;
 }
 
 void makeSegments(Joint& joint)
 {
-	if (joint.segments.count() > 0) return;
-	JointSegments arrays(joint.count());
-	for (int s = 0; s < arrays.count(); ++s) {
-		const JointSegment segment         = segmentOf(joint, s);
-		arrays.row(JointSegments::P)[s]    = segment.p;
-		arrays.row(JointSegments::Q)[s]    = segment.q;
-		arrays.row(JointSegments::Area)[s] = segment.area;
+	if (!joint.segments.empty()) return;
+	std::vector<JointSegments> all;
+	int                        first = 0;
+	for (const auto& patch : joint.shape->patches) {
+		JointSegments arrays(patch.count);
+		for (int s = 0; s < patch.count; ++s) {
+			const JointSegment segment         = segmentOf(joint, first + s);
+			arrays.row(JointSegments::P)[s]    = segment.p;
+			arrays.row(JointSegments::Q)[s]    = segment.q;
+			arrays.row(JointSegments::Area)[s] = segment.area;
+		}
+		first += patch.count;
+		all.push_back(arrays);
 	}
-	joint.segments = arrays;
+	joint.segments = std::move(all);
 }
 
 namespace {
 
-	/// Displacements of a face's nodes, a row each.
-	CornerVectors nodal(const JointFace& face, const Vector3r* field)
+	/// Displacements (or rates) of a patch's nodes, a row each.
+	CornerVectors nodal(const PatchSide& side, const Vector3r* field)
 	{
 		CornerVectors out;
 		for (int a = 0; a < 4; ++a)
-			out.row(a) = field[face.nodes[a]];
+			out.row(a) = field[side.nodes[a]];
 		return out;
 	}
 
-	/// Corners of a face as it is deformed, body axes.
-	CornerVectors deformed(const JointFace& face, const Vector3r* displacement)
+	/// Corners of a patch as it is deformed, body axes.
+	CornerVectors deformed(const PatchSide& side, const Vector3r* displacement)
 	{
-		if (!displacement || face.face < 0) return face.corners;
-		return face.corners + face.weights * nodal(face, displacement);
+		if (!displacement) return side.corners;
+		return side.corners + side.weights * nodal(side, displacement);
 	}
 
 	/// Velocities of a body's corners at x from its position, world axes.
-	CornerVectors cornerRates(const JointFace& face, const CornerVectors& x, const Placement& p)
+	CornerVectors cornerRates(const PatchSide& side, const CornerVectors& x, const Placement& p)
 	{
 		CornerVectors out;
 		for (int c = 0; c < 4; ++c)
 			out.row(c) = p.velocity + p.angularVelocity.cross(Vector3r(x.row(c)));
-		if (p.displacementRate && face.face >= 0) out += face.weights * nodal(face, p.displacementRate) * p.rotation.transpose();
+		if (p.displacementRate) out += side.weights * nodal(side, p.displacementRate) * p.rotation.transpose();
 		return out;
 	}
 
+	/// Rate of the opening at a patch's corners, world axes [m/s].
+	CornerVectors openingRate(const JointPatch& patch, const PatchMotion& m, const Vector3r& offset, const JointPlacements& moving)
+	{
+		const CornerVectors x1 = (m.place + m.opening).rowwise() - offset.transpose();
+		return cornerRates(patch.sides[1], x1, moving.side1) - cornerRates(patch.sides[0], m.place, moving.side0);
+	}
+
 } // namespace
+
+Vector3r JointMotion::middle(const JointSegment& segment) const
+{
+	const PatchMotion& at = patches[segment.patch];
+	return (at.place + at.opening / 2).transpose() * cornerWeights(segment.p, segment.q);
+}
+
+Real JointMotion::meanOpening() const
+{
+	Real sum = 0;
+	for (const auto& patch : patches)
+		sum += (patch.opening * normal).mean();
+	return sum / Real(patches.size());
+}
 
 void jointMotion(const Joint& joint, const Placement& p0, const Placement& p1, JointMotion& m)
 {
@@ -296,16 +414,14 @@ void jointMotion(const Joint& joint, const Placement& p0, const Placement& p1, J
 	m.offset                = p1.position - p0.position;
 	m.normal                = (p0.rotation * shape.faces[0].normal - p1.rotation * shape.faces[1].normal).normalized();
 	m.along                 = p0.rotation * shape.along;
-	m.place                 = deformed(shape.faces[0], p0.displacement) * p0.rotation.transpose();
-	m.opening               = deformed(shape.faces[1], p1.displacement) * p1.rotation.transpose();
-	m.opening.rowwise() += m.offset.transpose();
-	m.opening -= m.place;
-}
-
-CornerVectors openingRate(const Joint& joint, const JointMotion& m, const Placement& p0, const Placement& p1)
-{
-	const CornerVectors x1 = (m.place + m.opening).rowwise() - m.offset.transpose();
-	return cornerRates(joint.shape->faces[1], x1, p1) - cornerRates(joint.shape->faces[0], m.place, p0);
+	m.patches.resize(shape.patches.size(), boost::container::default_init);
+	for (std::size_t i = 0; i < shape.patches.size(); ++i) {
+		PatchMotion& at = m.patches[i];
+		at.place        = deformed(shape.patches[i].sides[0], p0.displacement) * p0.rotation.transpose();
+		at.opening      = deformed(shape.patches[i].sides[1], p1.displacement) * p1.rotation.transpose();
+		at.opening.rowwise() += m.offset.transpose();
+		at.opening -= at.place;
+	}
 }
 
 namespace {
@@ -340,7 +456,7 @@ namespace {
 		return field;
 	}
 
-	SegmentField openingOf(const Joint& joint, const JointMotion& m, const Axes& axes)
+	SegmentField openingOf(const Joint& joint, const PatchMotion& m, const Axes& axes)
 	{
 		SegmentField field = fieldOf(m.opening, axes);
 		field.normal[0] -= joint.restGap;
@@ -363,22 +479,23 @@ namespace {
 		sweep.hingeSign        = cracked ? 1 : 0;
 	}
 
-	SegmentSweep sweepOf(const Joint& joint, const JointMotion& m, const Axes& axes, const CornerVectors& rate, Real tanFriction)
+	/// @param moving null when the rate does not matter, since all segments hold
+	SegmentSweep sweepOf(const Joint& joint, const JointMotion& m, int patch, const Axes& axes, const JointPlacements* moving, Real tanFriction)
 	{
 		SegmentSweep sweep;
-		sweep.opening = openingOf(joint, m, axes);
-		if (!joint.holds()) sweep.rate = fieldOf(rate, axes);
+		sweep.opening = openingOf(joint, m.patches[patch], axes);
+		if (moving) sweep.rate = fieldOf(openingRate(joint.shape->patches[patch], m.patches[patch], m.offset, *moving), axes);
 		sweep.springs     = joint.shape->springs;
 		sweep.strength    = joint.shape->strength;
 		sweep.tanFriction = tanFriction;
-		setHinge(joint, edgeOpening(joint, m), sweep);
+		setHinge(joint, edgeOpening(joint, m, patch), sweep);
 		return sweep;
 	}
 
 	/// Opening at the outermost segments, a row each.
-	CornerVectors outermostOpening(const Joint& joint, const CornerVectors& d)
+	CornerVectors outermostOpening(const JointPatch& patch, const CornerVectors& d)
 	{
-		const auto& [p0, p1, q0, q1] = joint.shape->outermost;
+		const auto& [p0, p1, q0, q1] = patch.outermost;
 		auto edgePoint = [&d](int from, int to, Real t) { return Vector3r(d.row(from) + t * (d.row(to) - d.row(from))); };
 		const Vector3r low0 = edgePoint(0, 3, q0), low1 = edgePoint(1, 2, q0), high0 = edgePoint(0, 3, q1), high1 = edgePoint(1, 2, q1);
 		CornerVectors  out;
@@ -389,112 +506,156 @@ namespace {
 		return out;
 	}
 
-	/// Whether no segment of a joint that holds can fail. Finds the largest penetration of a segment.
-	bool keepsHolding(const Joint& joint, const JointMotion& m, Real& penetration)
+	/// Whether no segment of a patch can fail, in a joint that holds. Raises the largest penetration of a segment.
+	bool keepsHolding(const Joint& joint, const JointMotion& m, int patch, Real& penetration)
 	{
-		const CornerVectors d  = outermostOpening(joint, m.opening);
-		const Vector4r      un = d * m.normal;
-		penetration            = joint.restGap - un.minCoeff();
+		const JointShape&   shape = *joint.shape;
+		const CornerVectors d     = outermostOpening(shape.patches[patch], m.patches[patch].opening);
+		const Vector4r      un    = d * m.normal;
+		penetration               = std::max(penetration, joint.restGap - un.minCoeff());
 		for (int c = 0; c < 4; ++c) {
 			const Vector3r ut    = Vector3r(d.row(c)) - un[c] * m.normal;
-			const Real     sigma = joint.shape->springs.normal * (un[c] - joint.restGap), shear = joint.shape->springs.shear * ut.norm();
-			if (failureMode(joint.shape->strength, sigma, shear) != SegmentState::Intact) return false;
+			const Real     sigma = shape.springs.normal * (un[c] - joint.restGap), shear = shape.springs.shear * ut.norm();
+			if (failureMode(shape.strength, sigma, shear) != SegmentState::Intact) return false;
 		}
-		if (joint.shape->rows[0] > 1 && joint.shape->rows[1] > 1) return true;
+		if (shape.rows[0] > 1 && shape.rows[1] > 1) return true;
 		SegmentSweep hinge;
-		setHinge(joint, edgeOpening(joint, m), hinge);
+		setHinge(joint, edgeOpening(joint, m, patch), hinge);
 		return hinge.bending <= hinge.hingeTension;
 	}
 
-	/// Force on side 0 of a joint that holds, at the corners of its rectangle.
-	CornerVectors intactForce(const Joint& joint, const JointMotion& m)
+	bool keepsHolding(const Joint& joint, const JointMotion& m, Real& penetration)
 	{
-		const Real          kn = joint.shape->springs.normal, ks = joint.shape->springs.shear;
-		const CornerVectors mean   = joint.shape->weight * m.opening;
-		const Vector4r      normal = (kn - ks) * (mean * m.normal) - kn * joint.restGap * joint.shape->weight.rowwise().sum();
+		penetration = -std::numeric_limits<Real>::infinity();
+		bool holds  = true;
+		for (std::size_t i = 0; i < m.patches.size() && holds; ++i)
+			holds = keepsHolding(joint, m, int(i), penetration);
+		return holds;
+	}
+
+	/// Force on side 0 of a patch that holds, at the corners of its rectangle.
+	CornerVectors intactForce(const Joint& joint, const JointMotion& m, int patch)
+	{
+		const Real           kn = joint.shape->springs.normal, ks = joint.shape->springs.shear;
+		const CornerWeights& weight = joint.shape->patches[patch].weight;
+		const CornerVectors  mean   = weight * m.patches[patch].opening;
+		const Vector4r       normal = (kn - ks) * (mean * m.normal) - kn * joint.restGap * weight.rowwise().sum();
 		return ks * mean + normal * m.normal.transpose();
 	}
 
-	Failures countFailures(const JointSegments& segments)
+	Failures countFailures(const std::vector<JointSegments>& patches)
 	{
 		Failures out;
-		for (int s = 0; s < segments.count(); ++s) {
-			const auto state = SegmentState(int(segments.row(JointSegments::State)[s]));
-			out.tension += state == SegmentState::Tension;
-			out.shear += state == SegmentState::Shear;
-			out.compression += state == SegmentState::Compression;
-		}
+		for (const auto& segments : patches)
+			for (int s = 0; s < segments.count(); ++s) {
+				const auto state = SegmentState(int(segments.row(JointSegments::State)[s]));
+				out.tension += state == SegmentState::Tension;
+				out.shear += state == SegmentState::Shear;
+				out.compression += state == SegmentState::Compression;
+			}
 		return out;
 	}
 
-	/// The same segment by segment, with all that can happen to them.
-	CornerVectors sweptForce(Joint& joint, const JointMotion& m, const CornerVectors& rate, Real tanFriction, Real& penetration)
+	/// Force on side 0 of each patch, segment by segment, with all that can happen to them.
+	void sweptForces(Joint& joint, const JointMotion& m, const JointPlacements* moving, Real tanFriction, JointLoads& loads, Real& penetration)
 	{
 		makeSegments(joint);
-		const Axes        axes(m);
-		const SegmentSums sums = sweepSegments(joint.segments, sweepOf(joint, m, axes, rate, tanFriction));
-		if (sums.anyFailed) joint.failures = countFailures(joint.segments);
-		penetration = sums.penetration;
-		return atCorners(sums.force.normal) * axes.normal.transpose() + atCorners(sums.force.tangent1) * axes.tangent1.transpose()
-		        + atCorners(sums.force.tangent2) * axes.tangent2.transpose();
+		const Axes axes(m);
+		bool       anyFailed = false;
+		penetration          = -std::numeric_limits<Real>::infinity();
+		for (std::size_t i = 0; i < m.patches.size(); ++i) {
+			const SegmentSums sums = sweepSegments(joint.segments[i], sweepOf(joint, m, int(i), axes, moving, tanFriction));
+			anyFailed |= sums.anyFailed;
+			penetration     = std::max(penetration, sums.penetration);
+			loads.forces[i] = atCorners(sums.force.normal) * axes.normal.transpose() + atCorners(sums.force.tangent1) * axes.tangent1.transpose()
+			        + atCorners(sums.force.tangent2) * axes.tangent2.transpose();
+		}
+		if (anyFailed) joint.failures = countFailures(joint.segments);
+	}
+
+	/// Sums over the patches, from their forces.
+	void sumPatches(const Joint& joint, const JointMotion& m, JointLoads& loads, PairSummary& sum)
+	{
+		loads.force.setZero(), loads.torque[0].setZero();
+		for (std::size_t i = 0; i < m.patches.size(); ++i) {
+			const CornerVectors middle = m.patches[i].place + m.patches[i].opening / 2;
+			loads.force += loads.forces[i].colwise().sum().transpose();
+			for (int c = 0; c < 4; ++c)
+				loads.torque[0] += Vector3r(middle.row(c)).cross(Vector3r(loads.forces[i].row(c)));
+			sum.point += middle.transpose() * joint.shape->patches[i].weight.rowwise().sum();
+		}
+		loads.torque[1] = m.offset.cross(loads.force) - loads.torque[0];
 	}
 
 } // namespace
 
-Real edgeOpening(const Joint& joint, const JointMotion& m)
+Real edgeOpening(const Joint& joint, const JointMotion& m, int patch)
 {
 	// the opening's change over half a segment along the middle of the rectangle
-	const Vector4r un = m.opening * m.normal;
+	const auto&    rows = joint.shape->patches[patch].rows;
+	const Vector4r un   = m.patches[patch].opening * m.normal;
 	Real           edge = 0;
-	if (!joint.holds() || joint.shape->rows[0] == 1) edge += std::abs((un[1] - un[0]) + (un[2] - un[3])) / (4 * joint.shape->rows[0]);
-	if (!joint.holds() || joint.shape->rows[1] == 1) edge += std::abs((un[3] - un[0]) + (un[2] - un[1])) / (4 * joint.shape->rows[1]);
+	if (!joint.holds() || joint.shape->rows[0] == 1) edge += std::abs((un[1] - un[0]) + (un[2] - un[3])) / (4 * rows[0]);
+	if (!joint.holds() || joint.shape->rows[1] == 1) edge += std::abs((un[3] - un[0]) + (un[2] - un[1])) / (4 * rows[1]);
 	return edge;
 }
 
-Failures jointLoads(Joint& joint, const JointMotion& m, const CornerVectors& rate, Real tanFriction, JointLoads& loads, PairSummary& sum)
+Failures jointLoads(Joint& joint, const JointMotion& m, const JointPlacements* moving, Real tanFriction, JointLoads& loads, PairSummary& sum)
 {
 	const Failures before = joint.failures;
-	const bool     whole  = joint.holds() && keepsHolding(joint, m, sum.penetration);
-	loads.force           = whole ? intactForce(joint, m) : sweptForce(joint, m, rate, tanFriction, sum.penetration);
+	loads.forces.resize(m.patches.size(), boost::container::default_init);
+	if (joint.holds() && keepsHolding(joint, m, sum.penetration))
+		for (std::size_t i = 0; i < m.patches.size(); ++i)
+			loads.forces[i] = intactForce(joint, m, int(i));
+	else
+		sweptForces(joint, m, before.total() > 0 ? moving : nullptr, tanFriction, loads, sum.penetration);
 
-	const CornerVectors middle = m.place + m.opening / 2;
-	const Vector3r      force  = loads.forceOn(0);
-	loads.torque[0].setZero();
-	for (int c = 0; c < 4; ++c)
-		loads.torque[0] += Vector3r(middle.row(c)).cross(Vector3r(loads.force.row(c)));
-	loads.torque[1] = m.offset.cross(force) - loads.torque[0];
-
-	const Vector4r areas = joint.shape->weight.rowwise().sum();
-	sum.area             = areas.sum();
-	sum.normal           = m.normal;
-	sum.normalForce      = -force.dot(m.normal) * m.normal;
-	sum.shearForce       = -force - sum.normalForce;
-	sum.point            = middle.transpose() * areas / sum.area;
-	sum.kn               = joint.shape->springs.normal * sum.area;
-	sum.ks               = joint.shape->springs.shear * sum.area;
+	sum.point.setZero();
+	sumPatches(joint, m, loads, sum);
+	sum.area        = joint.area();
+	sum.normal      = m.normal;
+	sum.normalForce = -loads.force.dot(m.normal) * m.normal;
+	sum.shearForce  = -loads.force - sum.normalForce;
+	sum.point /= sum.area;
+	sum.kn = joint.shape->springs.normal * sum.area;
+	sum.ks = joint.shape->springs.shear * sum.area;
 	return { joint.failures.tension - before.tension, joint.failures.shear - before.shear, joint.failures.compression - before.compression };
 }
 
 void addNodalForces(const Joint& joint, const JointLoads& loads, int side, const Matrix3r& rotation, Vector3r* nodal)
 {
-	const JointFace&    face = joint.shape->faces[side];
-	const CornerVectors f    = (side == 0 ? 1 : -1) * (face.weights.transpose() * (loads.force * rotation));
-	for (int a = 0; a < 4; ++a)
-		nodal[face.nodes[a]] += f.row(a);
+	for (std::size_t i = 0; i < loads.forces.size(); ++i) {
+		const PatchSide&    at = joint.shape->patches[i].sides[side];
+		const CornerVectors f  = (side == 0 ? 1 : -1) * (at.weights.transpose() * (loads.forces[i] * rotation));
+		for (int a = 0; a < 4; ++a)
+			nodal[at.nodes[a]] += f.row(a);
+	}
 }
+
+namespace {
+
+	Vector2r slipOf(const Joint& joint, int index)
+	{
+		auto patch = joint.segments.begin();
+		for (; index >= patch->count(); ++patch)
+			index -= patch->count();
+		return { patch->row(JointSegments::Slip1)[index], patch->row(JointSegments::Slip2)[index] };
+	}
+
+} // namespace
 
 SegmentTraction segmentTraction(const Joint& joint, int index, const JointMotion& m, Real tanFriction)
 {
 	const JointSegment segment = segmentOf(joint, index);
 	const Axes         axes(m);
-	const SegmentField opening = openingOf(joint, m, axes);
+	const SegmentField opening = openingOf(joint, m.patches[segment.patch], axes);
 	const Real         un = at(opening.normal, segment.p, segment.q);
 	Vector2r           ut(at(opening.tangent1, segment.p, segment.q), at(opening.tangent2, segment.p, segment.q));
 	Real               normal = joint.shape->springs.normal * un;
 	if (segment.state == SegmentState::Intact) ut *= joint.shape->springs.shear;
 	else {
 		normal = std::min(0., normal);
-		ut -= Vector2r(joint.segments.row(JointSegments::Slip1)[index], joint.segments.row(JointSegments::Slip2)[index]);
+		ut -= slipOf(joint, index);
 		ut *= joint.shape->springs.shear;
 		const Real limit = -normal * tanFriction;
 		if (ut.norm() > limit) ut *= limit / ut.norm();
@@ -506,7 +667,8 @@ Failures overloaded(const Joint& joint, const JointMotion& m)
 {
 	Joint tried = joint;
 	makeSegments(tried);
-	sweepSegments(tried.segments, sweepOf(tried, m, Axes(m), CornerVectors::Zero(), 0));
+	for (std::size_t i = 0; i < m.patches.size(); ++i)
+		sweepSegments(tried.segments[i], sweepOf(tried, m, int(i), Axes(m), nullptr, 0));
 	return countFailures(tried.segments);
 }
 

@@ -6,8 +6,9 @@
 // normal n of both faces (it turns with the mean of the two rotations, which makes the springs conservative when the force acts half way between the points; a
 // common point keeps linear and angular momentum to round-off). JointSegments.hpp has the law of a segment.
 //
-// The overlap lies in a rectangle (p, q) in [0,1]^2, of whose corners the faces' displacements are taken; between them they are bilinear. That is the faces' own
-// field whenever the rectangle lies along the edges of both faces; otherwise an interpolation of it that is exact for every rigid motion and uniform strain.
+// The overlap of two faces lies in a rectangle (p, q) in [0,1]^2, of whose corners the faces' displacements are taken; between them they are bilinear. That is the
+// faces' own field whenever the rectangle lies along the edges of both faces; otherwise an interpolation of it that is exact for every rigid motion and uniform
+// strain. Where a surface has several cells a face (SurfaceGrid.hpp), each pair of cells that overlap is a patch of the joint, with such a rectangle.
 //
 // **While a joint holds, its segments are not looked at**: d is bilinear over the rectangle and each failure criterion is convex in d, so when none is met at the
 // outermost segments, none is met anywhere; and the force of all segments together is a constant matrix (`weight`) times d at the corners. This is the sum over
@@ -40,27 +41,30 @@ struct Failures {
 	int total() const { return tension + shear + compression; }
 };
 
+/// A face that a joint is at.
 struct JointFace {
-	int                face = -1;                         ///< of the brick; -1 on a support
-	std::array<int, 4> nodes { -1, -1, -1, -1 };          ///< -1 on a support, whose points do not move against it
+	int      face = -1;                   ///< of the brick; -1 on a support
+	Vector3r normal { Vector3r::Zero() }; ///< outward, body axes
+};
+
+/// Where a patch lies on one of the two bodies.
+struct PatchSide {
+	std::array<int, 4> nodes { -1, -1, -1, -1 };          ///< of the surface; -1 on a support, whose points do not move against it
 	CornerVectors      corners { CornerVectors::Zero() }; ///< of the rectangle at rest, body axes [m]; of the second face: moved to where the joint is restGap wide
-	CornerWeights      weights { CornerWeights::Zero() }; ///< of the face's nodes (columns) at the corners (rows)
-	Vector3r           normal { Vector3r::Zero() };       ///< outward, body axes
+	CornerWeights      weights { CornerWeights::Zero() }; ///< of the nodes (columns) at the corners (rows)
 };
 
 /// One segment of a joint.
 struct JointSegment {
-	Real         p = 0, q = 0;
-	Real         area  = 0; ///< [m2]
+	int          patch = 0;
+	Real         p = 0, q = 0; ///< in the patch's rectangle
+	Real         area  = 0;    ///< [m2]
 	SegmentState state = SegmentState::Intact;
 };
 
-/// What does not change in a joint; joints alike share it.
-struct JointShape {
-	std::array<JointFace, 2>  faces;
-	SpotSprings               springs;
-	MortarStrength            strength;
-	Vector3r                  along { Vector3r::Zero() };       ///< unit vector along p, body axes of side 0
+/// The overlap of two cells.
+struct JointPatch {
+	std::array<PatchSide, 2>  sides;
 	std::array<int, 2>        rows { 1, 1 };                    ///< of segments, along p and q
 	int                       count = 0;                        ///< segments
 	std::vector<JointSegment> cut;                              ///< the segments; empty when they are a whole grid
@@ -68,9 +72,21 @@ struct JointShape {
 	CornerWeights             weight { CornerWeights::Zero() }; ///< sum over the segments of area times N N^T, N the bilinear weights of the corners [m2]
 };
 
+/// What does not change in a joint; joints alike share it.
+struct JointShape {
+	std::array<JointFace, 2> faces;
+	SpotSprings              springs;
+	MortarStrength           strength;
+	Vector3r                 along { Vector3r::Zero() }; ///< unit vector along p, body axes of side 0
+	std::array<int, 2>       rows { 1, 1 };              ///< of segments over the whole joint, along p and q
+	int                      count = 0;                  ///< segments
+	Real                     area  = 0;                  ///< [m2]
+	std::vector<JointPatch>  patches;                    ///< their segments are numbered one patch after the other
+};
+
 struct Joint {
 	std::shared_ptr<JointShape> shape;       ///< null when there is no joint; not to be written to
-	JointSegments               segments;    ///< empty as long as all hold
+	std::vector<JointSegments>  segments;    ///< of each patch; empty as long as all hold
 	Failures                    failures;    ///< so far
 	Real                        restGap = 0; ///< distance of the faces, at the centre of one, when they were joined [m]; taken as closed
 
@@ -78,7 +94,7 @@ struct Joint {
 	int  count() const { return shape ? shape->count : 0; }      ///< segments
 	int  intact() const { return count() - failures.total(); }   ///< segments that hold
 	bool holds() const { return failures.total() == 0; }
-	Real area() const { return shape->weight.sum(); } ///< [m2]
+	Real area() const { return shape->area; } ///< [m2]
 	/// Gives the joint, alone, other springs and strength.
 	void setMortar(const SpotSprings&, const MortarStrength&);
 };
@@ -96,20 +112,26 @@ void makeSegments(Joint&);
 /// border are cut to the overlap. Allocates; for set-up.
 std::optional<Joint> joinFaces(const Side& side0, int face0, const Side& side1, int face1, Real tolerance, Real angleTolerance = 1e-3);
 
+/// A patch as it is placed, world axes.
+struct PatchMotion {
+	CornerVectors place;   ///< of side 0's corners, from its position [m]
+	CornerVectors opening; ///< of side 1's corners, from side 0's [m]
+};
+
+/// One of something for each patch; in one piece when there is one.
+template <class Value> using OfPatches = boost::container::small_vector<Value, 1>;
+
 /// A joint as it is placed, world axes.
 struct JointMotion {
-	CornerVectors place { CornerVectors::Zero() };   ///< of side 0's corners, from its position [m]
-	CornerVectors opening { CornerVectors::Zero() }; ///< of side 1's corners, from side 0's [m]
-	Vector3r      normal { Vector3r::Zero() };       ///< from side 0 to side 1
-	Vector3r      along { Vector3r::Zero() };        ///< p, as side 0 has turned
-	Vector3r      offset { Vector3r::Zero() };       ///< position of side 1, from that of side 0 [m]
+	OfPatches<PatchMotion> patches;
+	Vector3r               normal { Vector3r::Zero() }; ///< from side 0 to side 1
+	Vector3r               along { Vector3r::Zero() };  ///< p, as side 0 has turned
+	Vector3r               offset { Vector3r::Zero() }; ///< position of side 1, from that of side 0 [m]
 
-	Vector3r middle(Real p, Real q) const { return (place + opening / 2).transpose() * cornerWeights(p, q); } ///< of the joint, from side 0's position [m]
+	Vector3r middle(const JointSegment&) const; ///< of the joint, from side 0's position [m]
+	Real     meanOpening() const;               ///< along the normal, at the corners of the patches [m]
 };
 void jointMotion(const Joint&, const Placement& side0, const Placement& side1, JointMotion&);
-
-/// Rate of the opening at the corners, world axes [m/s]: what failed segments need.
-CornerVectors openingRate(const Joint&, const JointMotion&, const Placement& side0, const Placement& side1);
 
 /// Sums over an interaction, for its reader; forces act on side 1, world axes.
 struct PairSummary {
@@ -123,17 +145,23 @@ struct PairSummary {
 
 /// What a joint does to its bodies, world axes.
 struct JointLoads {
-	CornerVectors           force { CornerVectors::Zero() }; ///< on side 0 at the corners; side 1 takes the opposite [N]
-	std::array<Vector3r, 2> torque;                          ///< about the bodies' positions [N m]
+	OfPatches<CornerVectors> forces; ///< of each patch on side 0, at the corners; side 1 takes the opposite [N]
+	Vector3r                 force { Vector3r::Zero() }; ///< of all on side 0 [N]
+	std::array<Vector3r, 2>  torque;                     ///< about the bodies' positions [N m]
 
-	Vector3r forceOn(int side) const { return (side == 0 ? 1 : -1) * force.colwise().sum().transpose(); } ///< [N]
+	Vector3r forceOn(int side) const { return side == 0 ? force : Vector3r(-force); } ///< [N]
+};
+
+/// The two bodies of a joint.
+struct JointPlacements {
+	Placement side0, side1;
 };
 
 /// Forces of all segments on both sides, failure, friction. Writes segments; allocates when the first one fails.
-/// @param rate of the opening, when some segment has failed
-Failures jointLoads(Joint&, const JointMotion&, const CornerVectors& rate, Real tanFriction, JointLoads& loads, PairSummary&);
+/// @param moving where the bodies are and how they move, for the dashpots of failed segments; may be null while all hold
+Failures jointLoads(Joint&, const JointMotion&, const JointPlacements* moving, Real tanFriction, JointLoads& loads, PairSummary&);
 
-/// Adds what a joint does to the nodes of one of its bodies, body axes [N].
+/// Adds what a joint does to the nodes of the surface of one of its bodies, body axes [N].
 void addNodalForces(const Joint&, const JointLoads&, int side, const Matrix3r& rotation, Vector3r* nodal);
 
 /// Normal stress (tension positive) and shear stress vector (world axes, on side 0) on one segment, dashpots left out [Pa].
@@ -143,8 +171,8 @@ struct SegmentTraction {
 };
 SegmentTraction segmentTraction(const Joint&, int segment, const JointMotion&, Real tanFriction);
 
-/// How much more than its middle an edge of a segment opens, by the angle between the faces [m]; zero where the joint is no hinge.
-Real edgeOpening(const Joint&, const JointMotion&);
+/// How much more than its middle an edge of a patch's segment opens, by the angle between the faces [m]; zero where the joint is no hinge.
+Real edgeOpening(const Joint&, const JointMotion&, int patch);
 
 /// Segments of a joint that holds which this opening is too much for.
 Failures overloaded(const Joint&, const JointMotion&);
