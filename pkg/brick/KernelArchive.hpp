@@ -66,9 +66,9 @@ namespace serialization {
 		ar& make_nvp("side0", p.sides[0]) & make_nvp("side1", p.sides[1]) & make_nvp("count", p.count) & make_nvp("cut", p.cut);
 		for (int& number : p.rows)
 			ar& make_nvp("rows", number);
-		for (auto& place : p.outermost)
-			ar& make_nvp("outermost", place);
+		serializeMatrix(ar, "outermost", p.outermost);
 		serializeMatrix(ar, "weight", p.weight);
+		serializeMatrix(ar, "cornerAreas", p.cornerAreas);
 	}
 
 	template <class A> void serialize(A& ar, brick::JointShape& j, unsigned)

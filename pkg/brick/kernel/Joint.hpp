@@ -68,8 +68,9 @@ struct JointPatch {
 	std::array<int, 2>        rows { 1, 1 };                    ///< of segments, along p and q
 	int                       count = 0;                        ///< segments
 	std::vector<JointSegment> cut;                              ///< the segments; empty when they are a whole grid
-	std::array<Real, 4>       outermost { 0, 0, 0, 0 };         ///< segments: least and largest p, least and largest q
+	CornerWeights             outermost { CornerWeights::Zero() }; ///< weights of the corners (columns) at the four outermost places of segments (rows)
 	CornerWeights             weight { CornerWeights::Zero() }; ///< sum over the segments of area times N N^T, N the bilinear weights of the corners [m2]
+	Vector4r                  cornerAreas { Vector4r::Zero() };     ///< sums of its rows [m2]
 };
 
 /// What does not change in a joint; joints alike share it.
