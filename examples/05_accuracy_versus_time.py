@@ -47,7 +47,6 @@ sys.path.insert(0, os.path.dirname(script))
 import accuracy
 from accuracy import Point, Row
 
-refined = hasattr(yade_brick.Brick(), "cells")  # whether this library makes bricks of several elements
 friction = math.radians(32)
 memoryColumns = memoryCourses = 24
 
@@ -73,24 +72,15 @@ def startScene(setting, young=9.8e6, poisson=0.25, breakable=False):
 	        BrickDynamics(label="dynamics"),
 	        NewtonIntegrator(gravity=(0, 0, -9.8), label="newton"),
 	]
-	# addBricks() makes bricks of several elements of what is trilinear here
-	level = "trilinear" if setting.level == "refined" else setting.level
-	return dict(material=clay, deformation=level, element=setting.element, inner=setting.inner, segments=setting.segments)
-
-
-def addBricks(bodies, setting):
-	"""Puts them into the scene, made of several elements where the setting says so; their ids."""
-	if setting.level == "refined":
-		for body in bodies:
-			body.shape.updateAttrs({"cells": setting.cells, "deformation": "refined"})
-	return O.bodies.append(bodies)
+	cells = setting.cells if setting.level == "refined" else None
+	return dict(material=clay, deformation=setting.level, element=setting.element, inner=setting.inner, segments=setting.segments, cells=cells)
 
 
 def addWall(setting, columns=6, courses=6, **options):
 	"""The paper's wall of cubes of 0.2 m, mortared and at rest under its weight; its Masonry."""
 	given = startScene(setting, **options)
 	masonry = build.straightJointWall(columns, courses, (0.2, 0.2, 0.2), contactThickness=0.2 / setting.thinness, **given)
-	addBricks(masonry.bodies, setting)
+	O.bodies.append(masonry.bodies)
 	yade_brick.MortarJoints()()
 	return masonry
 
@@ -108,7 +98,7 @@ def cubeCase(row):
 	for poisson, (width, settlement) in accuracy.cube.items():
 		given = startScene(row.setting, young=9.8e7, poisson=poisson)
 		cube = build.brick((side,) * 3, center=(0, 0, side / 2), contactThickness=side / row.setting.thinness, **given)
-		ground, (brickId,) = 0, addBricks([cube], row.setting)
+		ground, (brickId,) = 0, O.bodies.append([cube])
 		smooth = FrictMat(density=2.0e4, frictionAngle=0)
 		plate = O.bodies.append(box((0, 0, 1.5 * side), (0.5 * side,) * 3, material=smooth))
 		O.bodies[plate].dynamic = True
@@ -127,7 +117,7 @@ def cantileverCase(row):
 	"""Five cubes on the ground, one above the other; afterwards pushed aside, so that they swing while they are timed."""
 	given = startScene(row.setting)
 	bricks = [build.brick((0.2,) * 3, center=(0, 0, 0.2 * level + 0.1), contactThickness=0.2 / row.setting.thinness, **given) for level in range(5)]
-	addBricks(bricks, row.setting)
+	O.bodies.append(bricks)
 	yade_brick.MortarJoints()()
 	errors = yade_brick.assembled().frequencies(len(accuracy.cantilever)) / accuracy.cantilever - 1
 	newton.gravity = (0.1, 0, -9.8)
@@ -431,8 +421,8 @@ def main():
 		return runLine(f"{chosen.table}:{chosen.row}")
 	table = chosen.table or os.path.join(chosen.out, "settings.table")
 	if not chosen.collect:
-		settings = accuracy.everyCombination(refined) if chosen.all else accuracy.quickSweep(refined) if chosen.quick else accuracy.sweep(refined)
-		rows = accuracy.plan(chosen.case or accuracy.cases, settings, refined, chosen.quick)
+		settings = accuracy.everyCombination() if chosen.all else accuracy.quickSweep() if chosen.quick else accuracy.sweep()
+		rows = accuracy.plan(chosen.case or accuracy.cases, settings, chosen.quick)
 		os.makedirs(os.path.dirname(os.path.abspath(table)), exist_ok=True)
 		with open(table, "w") as file:
 			file.write(accuracy.tableText(rows))

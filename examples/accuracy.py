@@ -64,44 +64,42 @@ def usual(setting):
 	return setting._replace(**{name: getattr(defaults, name) for name in _idle[setting.level]})
 
 
-def sweep(refined):
-	"""Settings of the default sweep, one dial at a time from `better`, and steps that go together.
-
-	:param refined: whether bricks can be made of several elements
-	"""
+def sweep():
+	"""Settings of the default sweep, one dial at a time from `better`, and steps that go together."""
 	rigid = Setting("rigid")
 	found = [rigid, rigid._replace(segments=2), rigid._replace(segments=8), Setting("uniform"), Setting("uniform", inner="full")]
 	found += [better._replace(element=element, inner=inner) for inner in values["inner"] for element in values["element"]]
 	found += [better._replace(thinness=thinness) for thinness in values["thinness"]]
 	found += [better._replace(segments=segments) for segments in (2, 8, 16)] + [better._replace(safety=0.45)]
-	if refined:
-		two, three, four = (better._replace(level="refined", cells=cells, segments=max(4, 2 * cells)) for cells in (2, 3, 4))
-		found += [two, two._replace(element="full"), two._replace(thinness=40), two._replace(thinness=200), two._replace(thinness=400)]
-		found += [two._replace(segments=8), three, three._replace(thinness=400), four, four._replace(thinness=400)]
+	two, three, four = (better._replace(level="refined", cells=cells, segments=max(4, 2 * cells)) for cells in (2, 3, 4))
+	found += [two, two._replace(element="full"), two._replace(thinness=40), two._replace(thinness=200), two._replace(thinness=400)]
+	found += [two._replace(segments=8), three, three._replace(thinness=400), four, four._replace(thinness=400)]
 	return list(dict.fromkeys(found))
 
 
-def quickSweep(refined):
+def quickSweep():
 	"""A few settings that show the main effects."""
-	found = [Setting("rigid"), defaults, better, better._replace(thinness=40), better._replace(segments=8)]
-	return found + [better._replace(level="refined", cells=2)] * refined
+	return [
+	        Setting("rigid"), defaults, better,
+	        better._replace(thinness=40),
+	        better._replace(segments=8),
+	        better._replace(level="refined", cells=2)
+	]
 
 
-def everyCombination(refined):
+def everyCombination():
 	"""All dials with all others: some hundred settings, for many cores."""
-	levels = [level for level in values["level"] if refined or level[0] != "refined"]
 	found = []
-	for level, *others in itertools.product(levels, *(values[name] for name in values if name != "level")):
+	for level, *others in itertools.product(*values.values()):
 		setting = usual(Setting(*level, *others))
 		if setting.segments % setting.cells == 0 and setting.segments in (2, 4, 6, 8, 16):
 			found.append(setting)
 	return list(dict.fromkeys(found))
 
 
-def finest(refined):
+def finest():
 	"""The reference of what has no other: finer in every dial than what the shaken walls of the sweep have."""
-	fine = better._replace(thinness=400, segments=8, safety=0.45)
-	return fine._replace(level="refined", cells=3, segments=9) if refined else fine
+	return better._replace(level="refined", cells=3, thinness=400, segments=9, safety=0.45)
 
 
 def shaken(settings):
@@ -171,7 +169,7 @@ cases = ("cube", "cantilever", "weight", "seismic")
 roundOff = 1e-6  # by which the motion of repetitions differs
 
 
-def plan(chosen, settings, refined, quick):
+def plan(chosen, settings, quick):
 	"""The runs of the chosen cases, the reference of the shaken wall first."""
 	rows = []
 	for case in (case for case in cases if case in chosen):
@@ -179,7 +177,7 @@ def plan(chosen, settings, refined, quick):
 			rows += [Row(case, setting) for setting in settings]
 			continue
 		seconds = 0.8 if quick else 5.0
-		reference = better._replace(thinness=200) if quick else finest(refined)
+		reference = better._replace(thinness=200) if quick else finest()
 		rows.append(Row(case, reference, seconds=seconds, reference=True))
 		rows += [Row(case, setting, seconds=seconds) for setting in shaken(settings) if setting != reference]
 		if not quick:

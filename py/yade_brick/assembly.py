@@ -46,7 +46,7 @@ class Assembly:
 		return self.source.place(id)
 
 	def nodalMap(self, id):
-		"""(24, coordinates of the body): displacement of its inner hexahedron's nodes, x0 y0 z0 x1 ..., in world axes."""
+		"""(3 nodes, coordinates of the body): displacement of the nodes on the surface of its inner part, x0 y0 z0 x1 ..., in world axes."""
 		return np.array(self.source.nodalMap(id))
 
 	def solve(self, loads):

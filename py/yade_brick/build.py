@@ -19,7 +19,7 @@ defaultContactShare = 0.01
 
 def brick(
         size=None, corners=None, center=(0, 0, 0), orientation=None, material=None, deformation="trilinear", element="full", inner="inset",
-        contactThickness=None, segments=4, fixed=False, color=None
+        contactThickness=None, segments=4, cells=None, fixed=False, color=None
 ):
 	"""A body that is one brick, ready for O.bodies.append.
 
@@ -28,11 +28,12 @@ def brick(
 	:param center: where the origin of the brick's own axes goes: the middle of a cuboid; for corners (0, 0, 0) leaves them in place [m]
 	:param orientation: Quaternion that turns the brick's own axes into the world's; by default they are parallel
 	:param material: BrickMat, or its id or label in O.materials
-	:param deformation: 'rigid', 'uniform' or 'trilinear'
+	:param deformation: 'rigid', 'uniform', 'trilinear' or 'refined'
 	:param element: 'full', 'incompatible' or 'bbar'
 	:param inner: 'inset' or 'full'
 	:param contactThickness: r [m]; by default 1 % of the shortest edge
 	:param segments: segments along each edge of a face
+	:param cells: elements along each edge of the inner part of a refined brick, of which segments is a multiple; 2 unless given
 	:param fixed: True for a support that does not move
 	:param color: (red, green, blue), each in [0, 1]
 	:returns: Body with the solid's mass and principal inertia; its axes are principal axes of inertia
@@ -44,12 +45,14 @@ def brick(
 		raise ValueError("size and corners are both missing; one of them is needed")
 	if size is not None and corners is not None:
 		raise ValueError(f"size is {size} and corners is {corners}; allowed is exactly one of them")
+	if cells is not None and deformation != "refined":
+		raise ValueError(f"cells is {cells} and deformation is {deformation!r}; only bricks with deformation='refined' have cells")
 	solid = _cuboidProperties(_lengths(size)) if corners is None else Brick.solidProperties(_points(corners))
 	thickness = defaultContactShare * _shortestEdge(solid["corners"]) if contactThickness is None else contactThickness
 	body = Body()
 	body.shape = Brick(
 	        corners=solid["corners"], deformation=deformation, element=element, inner=inner, contactThickness=thickness, segments=segments,
-	        color=_vector(color if color is not None else fixedColor if fixed else brickColor, "color")
+	        cells=2 if cells is None else cells, color=_vector(color if color is not None else fixedColor if fixed else brickColor, "color")
 	)
 	body.material = material
 	_place(body, solid, material.density, _vector(center, "center"), _unitQuaternion(orientation))

@@ -15,6 +15,8 @@ namespace {
 		bool changed = false;
 	};
 
+	Real sumOf(const Real (&x)[JointSegments::lanes]) { return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7])); }
+
 } // namespace
 
 } // namespace brick
@@ -34,8 +36,7 @@ SegmentSums sweepSegments(JointSegments& segments, const SegmentSweep& input)
 	Real* const force[3] { out.force.normal, out.force.tangent1, out.force.tangent2 };
 	for (int c = 0; c < 3; ++c)
 		for (int m = 0; m < 4; ++m)
-			for (const Real lane : eight.force[c][m])
-				force[c][m] += lane;
+			force[c][m] = sumOf(eight.force[c][m]);
 	return out;
 }
 

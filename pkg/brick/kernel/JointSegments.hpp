@@ -44,7 +44,7 @@ private:
 
 /// Coefficients of 1, p, q, pq of a vector field over the overlap: its normal and its two tangential components.
 struct SegmentField {
-	Real normal[4] { 0, 0, 0, 0 }, tangent1[4] { 0, 0, 0, 0 }, tangent2[4] { 0, 0, 0, 0 };
+	Real normal[4], tangent1[4], tangent2[4];
 };
 
 /// What a sweep needs to know besides the segments.

@@ -22,7 +22,7 @@ namespace {
 			constexpr Real upright = 1e-6; // p has turned into the normal
 			const Vector3r along   = m.along - normal * normal.dot(m.along);
 			const Real     length  = along.norm();
-			tangent1               = length > upright ? Vector3r(along / length) : Vector3r(normal.unitOrthogonal());
+			tangent1               = length > upright ? Vector3r(1 / length * along) : Vector3r(normal.unitOrthogonal());
 			tangent2               = normal.cross(tangent1);
 		}
 	};
@@ -54,7 +54,8 @@ void jointMotion(const Joint& joint, const Placement& p0, const Placement& p1, J
 {
 	const JointShape& shape = *joint.shape;
 	m.offset                = p1.position - p0.position;
-	m.normal                = (p0.rotation * shape.faces[0].normal - p1.rotation * shape.faces[1].normal).normalized();
+	const Vector3r mean     = p0.rotation * shape.faces[0].normal - p1.rotation * shape.faces[1].normal;
+	m.normal                = 1 / mean.norm() * mean;
 	m.along                 = p0.rotation * shape.along;
 	m.patches.resize(shape.patches.size(), boost::container::default_init);
 	BRICK_BEST_INSTRUCTION_SET(movePatches)(shape, p0, p1, m);
@@ -91,7 +92,9 @@ namespace {
 	{
 		SegmentSweep sweep;
 		sweep.opening = openingOf(joint, m.patches[patch], axes);
-		if (moving) BRICK_BEST_INSTRUCTION_SET(setRate)(joint.shape->patches[patch], m.patches[patch], m.offset, *moving, axes, sweep.rate);
+		if (!moving) sweep.rate = {};
+		else
+			BRICK_BEST_INSTRUCTION_SET(setRate)(joint.shape->patches[patch], m.patches[patch], m.offset, *moving, axes, sweep.rate);
 		sweep.springs     = joint.shape->springs;
 		sweep.strength    = joint.shape->strength;
 		sweep.tanFriction = tanFriction;
