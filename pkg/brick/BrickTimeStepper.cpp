@@ -93,8 +93,10 @@ BrickTimeStepper::Partners BrickTimeStepper::partnersOf(const Body& b, const Bri
 		p.dashpotTime  = std::max(p.dashpotTime, dashpotTime(*geom, *phys));
 		addCoverage(shape, *geom, *phys, phys->ids[0] == b.getId() ? 0 : 1, p.coverage);
 	}
+	// what touches a bare face is seen in the step that it does so; a brick that nothing touches may meet its like with any face
+	const bool alone = std::all_of(p.coverage.begin(), p.coverage.end(), [](Real c) { return c == 0; });
 	for (auto& c : p.coverage)
-		c = atLeastOnce(c);
+		if (alone || c > 0) c = atLeastOnce(c);
 	return p;
 }
 

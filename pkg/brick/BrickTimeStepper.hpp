@@ -17,7 +17,7 @@ public:
 	void postLoad(BrickTimeStepper&);
 
 	// clang-format off
-	YADE_CLASS_BASE_DOC_ATTRS(BrickTimeStepper, TimeStepper, R"(Sets :yref:`O.dt<Omega.dt>` to :yref:`safety<BrickTimeStepper.safety>` times a proven lower bound of the largest stable step: each brick alone, every face standing on the stiffest springs that the bodies near it give (twice the springs to bodies that can move), with its exact mass and inertia, its modes, and dashpots that lag by half a step. The stiffness of the inner hexahedra does not limit the step.
+	YADE_CLASS_BASE_DOC_ATTRS(BrickTimeStepper, TimeStepper, R"(Sets :yref:`O.dt<Omega.dt>` to :yref:`safety<BrickTimeStepper.safety>` times a proven lower bound of the largest stable step: each brick alone, every face that something touches standing on the stiffest springs that the bodies near it give (twice the springs to bodies that can move; all faces when nothing touches it), with its exact mass and inertia, its modes, and dashpots that lag by half a step. The stiffness of the inner hexahedra does not limit the step.
 
 The step never grows during a run, so that a run continued from a file takes the same steps; for the same reason, stand it after :yref:`InteractionLoop`, where the present contacts are known. Raises an error when :yref:`O.engines<Omega.engines>` has no :yref:`BrickDynamics`.)",
 		((Real, safety, .9, Attr::triggerPostLoad, "Fraction of the bound, in (0, 1]."))
@@ -32,7 +32,7 @@ private:
 	struct Partners {
 		std::array<Real, 2>                normal, shear; // moving, held
 		Real                               dashpotTime;
-		std::array<Real, brick::faceCount> coverage; // how often each face is covered at present: 1, or more where partners overlap
+		std::array<Real, brick::faceCount> coverage; // how often each face is covered at present: 0 where bare, otherwise 1, or more where partners overlap
 		bool                               operator==(const Partners& o) const
 		{
 			return normal == o.normal && shear == o.shear && dashpotTime == o.dashpotTime && coverage == o.coverage;
