@@ -26,7 +26,7 @@ namespace {
 		PointMap map(3, b.coordinates());
 		map.leftCols<3>().setIdentity();
 		map.middleCols<3>(3) = -crossMatrix(arm);
-		if (b.modes) map.rightCols(b.modes->count) = R * b.modes->shapes.block(3 * node, 0, 3, b.modes->count);
+		if (b.modes) map.rightCols(b.modes->count()) = R * b.modes->shapes.block(3 * node, 0, 3, b.modes->count());
 		return map;
 	}
 
@@ -38,7 +38,8 @@ namespace {
 		map.middleCols<3>(3) = -crossMatrix(arm);
 		if (b.modes)
 			for (int a = 0; a < 4; ++a)
-				map.rightCols(b.modes->count) += face.weights(corner, a) * R * b.modes->shapes.block(3 * face.nodes[a], 0, 3, b.modes->count);
+				map.rightCols(b.modes->count())
+				        += face.weights(corner, a) * R * b.modes->shapes.block(3 * face.nodes[a], 0, 3, b.modes->count());
 		return map;
 	}
 
@@ -83,7 +84,7 @@ Nodes AssembledBrick::displacement() const
 {
 	Vector24 u = Vector24::Zero();
 	if (modes)
-		for (int k = 0; k < modes->count; ++k)
+		for (int k = 0; k < modes->count(); ++k)
 			u += amplitudes[k] * modes->shapes.col(k);
 	Nodes out;
 	for (int a = 0; a < nodeCount; ++a)
@@ -133,7 +134,8 @@ void Assembly::addJoint(const AssembledJoint& j, Triplets& out) const
 	JointMotion                    m;
 	jointMotion(j.joint, at[0], at[1], m);
 	const Vector3r n = m.normal;
-	const Matrix3r D = j.joint.shape->springs.shear * Matrix3r::Identity() + (j.joint.shape->springs.normal - j.joint.shape->springs.shear) * n * n.transpose();
+	const Matrix3r D
+	        = j.joint.shape->springs.shear * Matrix3r::Identity() + (j.joint.shape->springs.normal - j.joint.shape->springs.shear) * n * n.transpose();
 
 	const std::array<CornerVectors, 2>     corners { m.place, m.place + m.opening };
 	std::array<std::array<PointMap, 4>, 2> maps;
@@ -208,7 +210,7 @@ VectorX Assembly::internalForces() const
 			Nodes nodal;
 			nodal.fill(Vector3r::Zero());
 			addNodalForces(holding, loads, side, at[side]->rotation, nodal.data());
-			for (int k = 0; k < b.modes->count; ++k)
+			for (int k = 0; k < b.modes->count(); ++k)
 				for (int a = 0; a < nodeCount; ++a)
 					forces[place + 6 + k] += b.modes->shapes.col(k).segment<3>(3 * a).dot(nodal[a]);
 		}
