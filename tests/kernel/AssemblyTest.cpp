@@ -65,7 +65,7 @@ private:
 		out.orientation = Quaternionr(b.placement.rotation);
 		out.mass        = pairs::density * edge * edge * edge;
 		out.inertia     = Vector3r::Constant(out.mass * edge * edge / 6);
-		if (inner) out.modes = &inner->modes, out.amplitudes.assign(inner->modes.count, 0);
+		if (inner) out.modes = &inner->modes, out.amplitudes.assign(inner->modes.count(), 0);
 		return out;
 	}
 	AssembledJoint jointBelow(int k, const MortarStrength& strength) const

@@ -542,7 +542,7 @@ TEST(CondensedPartTest, modes_are_orthonormal_in_the_mass_and_diagonal_in_the_st
 			for (int n : { 2, 3 }) {
 				const CondensedMatrices part  = condensed(corners, n, .3, element);
 				const auto              nodes = surfaceGrid(n).positions(corners);
-				const ModeSet           modes = deformationModes(part.stiffness, part.mass, nodes);
+				const Modes             modes = deformationModes(part.stiffness, part.mass, nodes);
 				ASSERT_EQ(modes.count(), 3 * surfaceGrid(n).size() - 6);
 				const MatrixX mass    = modes.shapes.transpose() * part.mass * modes.shapes;
 				const MatrixX spring  = modes.shapes.transpose() * part.stiffness * modes.shapes;
@@ -564,7 +564,7 @@ TEST(CondensedPartTest, modes_give_back_statics)
 		for (int n : { 2, 4 }) {
 			const CondensedMatrices part    = condensed(corners, n, .3, Element::Incompatible);
 			const auto              nodes   = surfaceGrid(n).positions(corners);
-			const ModeSet           modes   = deformationModes(part.stiffness, part.mass, nodes);
+			const Modes             modes   = deformationModes(part.stiffness, part.mass, nodes);
 			const VectorX           squares = Eigen::Map<const VectorX>(modes.omegaSquared.data(), modes.count());
 			VectorX                 f       = VectorX::Zero(part.mass.rows());
 			f[3 * 6]                        = 10;
@@ -582,7 +582,7 @@ TEST(CondensedPartTest, frequencies_are_at_or_above_the_meshs_by_less_than_a_six
 			for (int n : { 2, 3, 4 }) {
 				const Nodes             cube  = cuboidCorners({ .2, .2, .2 });
 				const CondensedMatrices part  = condensed(cube, n, nu, element);
-				const ModeSet           modes = deformationModes(part.stiffness, part.mass, surfaceGrid(n).positions(cube));
+				const Modes             modes = deformationModes(part.stiffness, part.mass, surfaceGrid(n).positions(cube));
 				const WholeMesh         mesh(cube, n, nu, element);
 				const VectorX           scale = mesh.masses.cwiseSqrt().cwiseInverse();
 				const MatrixX           A     = scale.asDiagonal() * mesh.K * scale.asDiagonal();
@@ -617,13 +617,13 @@ TEST(CondensedPartTest, same_shapes_come_out_when_round_off_differs)
 		for (int n : { 2, 3 }) {
 			const auto        nodes = surfaceGrid(n).positions(cuboidCorners(size));
 			CondensedMatrices part  = condensed(cuboidCorners(size), n, .25, Element::Incompatible);
-			const ModeSet     plain = deformationModes(part.stiffness, part.mass, nodes);
+			const Modes       plain = deformationModes(part.stiffness, part.mass, nodes);
 			MatrixX           noise(part.mass.rows(), part.mass.rows());
 			for (int i = 0; i < noise.rows(); ++i)
 				for (int j = 0; j < noise.rows(); ++j)
 					noise(i, j) = std::sin(3.7 * (i + 1) * (j + 1));
 			part.stiffness += 1e-15 * part.stiffness.norm() * (noise + noise.transpose());
-			const ModeSet noisy = deformationModes(part.stiffness, part.mass, nodes);
+			const Modes noisy = deformationModes(part.stiffness, part.mass, nodes);
 			// noise, some 1e-14 of the largest frequency, over the distance of neighbouring ones, 6e-5 of it at least
 			EXPECT_LT((noisy.shapes - plain.shapes).cwiseAbs().maxCoeff(), 1e-8 * plain.shapes.cwiseAbs().maxCoeff());
 		}
@@ -673,10 +673,12 @@ TEST(CondensedPartTest, part_is_made_of_its_matrices)
 {
 	const CondensedPart     part(voussoir(), 3, young, .25, Element::Bbar, 7.5);
 	const CondensedMatrices matrices = condense(voussoir(), 3, young, .25, Element::Bbar, 7.5);
-	const ModeSet           modes    = deformationModes(matrices.stiffness, matrices.mass, part.nodes);
+	const Modes             modes    = deformationModes(matrices.stiffness, matrices.mass, part.nodes);
 	EXPECT_EQ(part.cells, 3);
 	EXPECT_EQ(part.nodes, surfaceGrid(3).positions(voussoir()));
 	EXPECT_EQ(part.surfaceMasses, matrices.surfaceMasses);
+	const MatrixX rigid = rigidMotions(part.nodes, Vector3r::Zero());
+	EXPECT_LT((part.rigidMass - rigid.transpose() * matrices.mass * rigid).norm(), roundOff * part.rigidMass.norm());
 	EXPECT_EQ(part.modes.shapes, modes.shapes);
 	EXPECT_EQ(part.modes.omegaSquared, modes.omegaSquared);
 }

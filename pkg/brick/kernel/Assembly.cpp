@@ -26,7 +26,7 @@ namespace {
 		PointMap map(3, b.coordinates());
 		map.leftCols<3>().setIdentity();
 		map.middleCols<3>(3) = -crossMatrix(arm);
-		if (b.modes) map.rightCols(b.modes->count) = R * b.modes->shapes.block(3 * node, 0, 3, b.modes->count);
+		if (b.modes) map.rightCols(b.modes->count()) = R * b.modes->shapes.block(3 * node, 0, 3, b.modes->count());
 		return map;
 	}
 
@@ -38,7 +38,7 @@ namespace {
 		map.middleCols<3>(3) = -crossMatrix(arm);
 		if (b.modes)
 			for (int a = 0; a < 4; ++a)
-				map.rightCols(b.modes->count) += side.weights(corner, a) * R * b.modes->shapes.block(3 * side.nodes[a], 0, 3, b.modes->count);
+				map.rightCols(b.modes->count()) += side.weights(corner, a) * R * b.modes->shapes.block(3 * side.nodes[a], 0, 3, b.modes->count());
 		return map;
 	}
 
@@ -225,7 +225,7 @@ VectorX Assembly::internalForces() const
 			if (!b.modes) continue;
 			NodalVectors nodal(b.nodes(), Vector3r::Zero());
 			addNodalForces(holding, loads, side, at[side]->rotation, nodal.data());
-			for (int k = 0; k < b.modes->count; ++k)
+			for (int k = 0; k < b.modes->count(); ++k)
 				for (int a = 0; a < b.nodes(); ++a)
 					forces[place + 6 + k] += b.modes->shapes.col(k).segment<3>(3 * a).dot(nodal[a]);
 		}

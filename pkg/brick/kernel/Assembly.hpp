@@ -26,7 +26,7 @@ struct AssembledBrick {
 	std::vector<Real>   amplitudes;                              ///< one a mode [sqrt(kg) m]
 	std::array<bool, 6> held { false, false, false, false, false, false };
 
-	int coordinates() const { return 6 + (modes ? modes->count : 0); }
+	int coordinates() const { return 6 + (modes ? modes->count() : 0); }
 	int nodes() const { return modes ? int(modes->shapes.rows()) / 3 : nodeCount; } ///< of the surface
 	/// Displacement of the nodes, body axes [m].
 	NodalVectors displacement() const;

@@ -108,12 +108,17 @@ namespace {
 		return masses;
 	}
 
-	/// Three translations and three rotations about the middle of the nodes, one field a column.
-	Columns6 rigidFields(const std::vector<Vector3r>& nodes)
+	Vector3r middleOf(const std::vector<Vector3r>& nodes)
 	{
 		Vector3r middle = Vector3r::Zero();
 		for (const auto& x : nodes)
 			middle += x / nodes.size();
+		return middle;
+	}
+
+	/// Three translations and three rotations about a point, one field a column.
+	Columns6 rigidFields(const std::vector<Vector3r>& nodes, const Vector3r& middle)
+	{
 		Columns6 fields(3 * nodes.size(), 6);
 		for (std::size_t a = 0; a < nodes.size(); ++a)
 			for (int i = 0; i < 3; ++i) {
@@ -150,7 +155,7 @@ namespace {
 		factor.matrixL().solveInPlace(A);
 		factor.matrixU().solveInPlace<Eigen::OnTheRight>(A);
 
-		Columns6 rigid = factor.matrixU() * rigidFields(nodes);
+		Columns6 rigid = factor.matrixU() * rigidFields(nodes, middleOf(nodes));
 		rigid.colwise().normalize();
 		const Eigen::HouseholderQR<Columns6> reflected(rigid);
 		A.applyOnTheLeft(reflected.householderQ().adjoint());
@@ -242,7 +247,7 @@ CondensedMatrices condense(const Nodes& corners, int cells, Real young, Real poi
 	return part;
 }
 
-ModeSet deformationModes(const MatrixX& K, const MatrixX& M, const std::vector<Vector3r>& nodes)
+Modes deformationModes(const MatrixX& K, const MatrixX& M, const std::vector<Vector3r>& nodes)
 {
 	const int size = 3 * int(nodes.size());
 	requireMatrix(K, size, "stiffness");
@@ -250,7 +255,7 @@ ModeSet deformationModes(const MatrixX& K, const MatrixX& M, const std::vector<V
 	auto [shapes, frequencies] = solvedModes(K, M, nodes);
 	requireStiffness(frequencies, noFrequency);
 	const int count = int(frequencies.size());
-	ModeSet   modes { std::move(shapes), {} };
+	Modes     modes { std::move(shapes), {} };
 	for (int first = 0, group = 0; first < count; first += group) {
 		group = countOfSame(frequencies, first);
 		makeCanonical(modes.shapes.middleCols(first, group), M.diagonal());
@@ -263,10 +268,12 @@ CondensedPart::CondensedPart(const Nodes& corners, int cells, Real young, Real p
         : cells(cells)
         , nodes(surfaceGrid(cells).positions(corners))
 {
-	const CondensedMatrices part = condense(corners, cells, young, poisson, element, mass);
-	surfaceMasses                = part.surfaceMasses;
-	modes                        = deformationModes(part.stiffness, part.mass, nodes);
-	stressOf                     = elasticity(young, poisson) * meanStrainOf(areaVectors(surfaceGrid(cells), nodes), solidProperties(corners).volume);
+	const CondensedMatrices part  = condense(corners, cells, young, poisson, element, mass);
+	const Columns6          rigid = rigidFields(nodes, Vector3r::Zero());
+	surfaceMasses                 = part.surfaceMasses;
+	rigidMass                     = rigid.transpose() * (part.mass * rigid).eval();
+	modes                         = deformationModes(part.stiffness, part.mass, nodes);
+	stressOf                      = elasticity(young, poisson) * meanStrainOf(areaVectors(surfaceGrid(cells), nodes), solidProperties(corners).volume);
 }
 
 } // namespace brick

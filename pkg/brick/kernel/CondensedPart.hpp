@@ -20,10 +20,9 @@
 // converges with n to elasticity. For the same reason all of its modes are kept.
 #pragma once
 
+#include "Modes.hpp"
 #include "Stiffness.hpp"
 #include "SurfaceGrid.hpp"
-
-#include <vector>
 
 namespace brick {
 
@@ -41,28 +40,21 @@ struct CondensedMatrices {
 /// @throws std::invalid_argument as surfaceGrid, stiffness and lumpedMasses do
 CondensedMatrices condense(const Nodes& corners, int cells, Real young, Real poisson, Element element, Real mass);
 
-/// Independent oscillators, as Modes.hpp has them for eight nodes:  u = sum phi q,  q'' + omega^2 q = phi^T f ,  q = phi^T M u.
-struct ModeSet {
-	MatrixX           shapes;       ///< one column a mode [1/sqrt(kg)], phi^T M phi = 1; M-orthogonal to each other and to rigid motions
-	std::vector<Real> omegaSquared; ///< ascending [1/s2], > 0
-
-	int count() const { return int(omegaSquared.size()); }
-};
-
 /// All modes but the six rigid ones. A simple mode has its largest component positive; modes of one frequency are replaced by what their group answers to
 /// forces on single degrees of freedom, that of the largest component first. Components are compared after multiplying with the root of M's diagonal; the
 /// first of equals counts. Bitwise the same for the same input, with any number of threads.
 /// @param K, M symmetric, of size 3 S; K annihilates rigid motions, M is positive definite   @param nodes S of them, at rest [m]
 /// @throws std::invalid_argument when K or M has another size or is not finite or not symmetric, M is not positive definite, or a deformation meets no
 /// stiffness
-ModeSet deformationModes(const MatrixX& K, const MatrixX& M, const std::vector<Vector3r>& nodes);
+Modes deformationModes(const MatrixX& K, const MatrixX& M, const std::vector<Vector3r>& nodes);
 
 /// What a refined brick type needs in a run.
 struct CondensedPart {
 	int                                    cells;         ///< n along each edge: surfaceGrid(cells) numbers the nodes
 	std::vector<Vector3r>                  nodes;         ///< on the surface at rest [m]
 	std::vector<Real>                      surfaceMasses; ///< as in CondensedMatrices
-	ModeSet                                modes;
+	Matrix6r                               rigidMass;     ///< of all in three translations and three rotations about the origin [kg, kg m, kg m2]
+	Modes                                  modes;
 	Eigen::Matrix<Real, 6, Eigen::Dynamic> stressOf; ///< mean stress of displacements, see meanStress [Pa/m]
 
 	/// @param as those of condense

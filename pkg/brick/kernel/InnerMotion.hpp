@@ -36,12 +36,13 @@ inline ModeState advanced(const ModeState& mode, Real load, Real omegaSquared, R
 /// Mode shapes laid out for a step: columns padded to whole groups of lanes, by modes for the displacements and by nodes for the loads.
 class ModeColumns {
 public:
+	ModeColumns() = default; ///< no modes of no nodes
 	ModeColumns(const Real* shapes, int dofs, int modes);
 	int  modes() const { return modeTotal; }
 	int  dofs() const { return dofTotal; }
 	int  paddedModes() const { return padded(modeTotal); }
 	int  paddedDofs() const { return padded(dofTotal); }
-	void loads(const Real* nodal, Real* modal) const { sum(byNode, paddedModes(), dofTotal, nodal, modal); }         ///< phi^T f; writes paddedModes() entries
+	void loads(const Real* nodal, Real* modal) const { sum(byNode, paddedModes(), dofTotal, nodal, modal); } ///< phi^T f; writes paddedModes() entries
 	void displacements(const Real* modal, Real* nodal) const { sum(byMode, paddedDofs(), modeTotal, modal, nodal); } ///< phi q; writes paddedDofs() entries
 
 	static constexpr int lanes = 8;
@@ -50,7 +51,7 @@ private:
 	static int  padded(int n) { return (n + lanes - 1) / lanes * lanes; }
 	static void sum(const std::vector<Real>& columns, int rows, int count, const Real* x, Real* y);
 
-	int               dofTotal, modeTotal;
+	int               dofTotal = 0, modeTotal = 0;
 	std::vector<Real> byNode, byMode;
 };
 

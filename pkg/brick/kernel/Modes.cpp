@@ -95,8 +95,8 @@ namespace {
 Modes deformationModes(const Matrix24& K, const Nodes& nodes, const std::array<Real, nodeCount>& masses, Deformation level)
 {
 	requireInput(K, nodes, masses);
-	Modes modes;
-	if (level == Deformation::Rigid) return modes;
+	if (level == Deformation::Refined) throw std::invalid_argument("one hexahedron has no refined deformation; allowed are rigid, uniform and trilinear");
+	if (level == Deformation::Rigid) return { MatrixX(dofCount, 0), {} };
 
 	// Coordinates scaled with sqrt(mass): orthogonal in the mass becomes orthogonal, and A = M^-1/2 K M^-1/2.
 	Vector24 rootMass;
@@ -114,13 +114,13 @@ Modes deformationModes(const Matrix24& K, const Nodes& nodes, const std::array<R
 	const Eigen::VectorXd                                frequencies = solver.eigenvalues();
 	const Eigen::MatrixXd                                vectors     = basis * solver.eigenvectors();
 
-	modes.count = int(frequencies.size());
 	requireStiffness(frequencies, noFrequency);
-	for (int first = 0, size = 0; first < modes.count; first += size) {
+	const int count = int(frequencies.size());
+	Modes     modes { MatrixX(dofCount, count), {} };
+	for (int first = 0, size = 0; first < count; first += size) {
 		size                                 = countOfSame(frequencies, first);
 		modes.shapes.middleCols(first, size) = inverse.asDiagonal() * canonicalBasis(vectors.middleCols(first, size));
-		for (int i = 0; i < size; ++i)
-			modes.omegaSquared[first + i] = frequencies.segment(first, size).mean();
+		modes.omegaSquared.insert(modes.omegaSquared.end(), size, frequencies.segment(first, size).mean());
 	}
 	return modes;
 }
