@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Forces of spots of contact, eight spots of a pair of faces at a time: included by Contact.cpp once for each instruction set (InstructionSets.hpp).
 
-#include "EightLanes.hpp"
+#include "SurfaceLanes.hpp"
 
-/// Three components of a vector.
-struct Vectors {
-	Lanes                     x[3];
-	BRICK_INLINE Lanes&       operator[](int i) { return x[i]; }
-	BRICK_INLINE const Lanes& operator[](int i) const { return x[i]; }
-};
-BRICK_INLINE Lanes dot(const Vectors& a, const Vector3r& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 BRICK_INLINE Lanes lengthOf(const Vectors& a) { return root(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
 
 /// The owner of spots and the other body, in whose axes and about whose position everything is computed.
@@ -34,17 +27,17 @@ struct OwnerAndOther {
 	}
 };
 
-/// Velocities that the deformation gives to a face: coefficients of bilinear fields.
+/// Velocities that the deformation gives to a face that is a single cell: coefficients of bilinear fields.
 struct RateField {
 	bool          any = false;
 	BilinearField component[3];
 
-	RateField(const Placement& at, int face)
-	        : any(at.displacementRate)
+	RateField(const Side& side, int face)
+	        : any(side.placement.displacementRate && side.cells == 1)
 	{
 		if (!any) return;
 		const auto&     n = faceNodes[face];
-		const Vector3r* v = at.displacementRate;
+		const Vector3r* v = side.placement.displacementRate;
 		for (int i = 0; i < 3; ++i)
 			component[i] = BilinearField::of(v[n[0]][i], v[n[1]][i], v[n[2]][i], v[n[3]][i]);
 	}
@@ -67,6 +60,7 @@ struct Run {
 	Real                 tanFriction, dt;
 	Vector3r             normal;
 	RateField            ownerRate, otherRate;
+	const SurfaceGrid *  ownerCells, *otherCells; ///< null where a face is a single cell
 
 	Run(const OwnerAndOther& bodies, const ContactSpot* spots, int count, const SpotSprings& springs, Real tanFriction, Real dt)
 	        : bodies(bodies)
@@ -76,8 +70,10 @@ struct Run {
 	        , tanFriction(tanFriction)
 	        , dt(dt)
 	        , normal(bodies.other.solid->faces[spots->otherFace].normal)
-	        , ownerRate(bodies.owner.placement, spots->ownerFace)
-	        , otherRate(bodies.other.placement, spots->otherFace)
+	        , ownerRate(bodies.owner, spots->ownerFace)
+	        , otherRate(bodies.other, spots->otherFace)
+	        , ownerCells(cellsOf(bodies.owner))
+	        , otherCells(cellsOf(bodies.other))
 	{
 		ownerRate.turn(bodies.turn);
 	}
@@ -146,17 +142,16 @@ BRICK_INLINE Vectors elasticShear(const Run& run, const Vectors& sliding, const 
 	return tau;
 }
 
-BRICK_INLINE void addGroup(const Run& run, int first, Vector3r* tractions, RunSums& sums)
+/// Forces of eight spots on the owner, or of as many as count.
+BRICK_INLINE Vectors addForces(const Run& run, const SpotLanes& s, const Vectors& velocity, Vector3r* tractions, int count, RunSums& sums)
 {
-	const SpotLanes s(run, first);
-	const Vectors   velocity = relativeVelocity(run, s);
-	const Lanes     leaving  = dot(velocity, run.normal);
-	Vectors         sliding;
+	const Lanes leaving = dot(velocity, run.normal);
+	Vectors     sliding;
 	for (int i = 0; i < 3; ++i)
 		sliding[i] = velocity[i] - leaving * run.normal[i];
 	const Lanes pressure = greater(run.springs.normal * s.penetration - run.springs.normalDashpot * leaving, Lanes {}), limit = pressure * run.tanFriction;
 
-	Vectors shear = elasticShear(run, sliding, limit, tractions + first, run.count - first);
+	Vectors shear = elasticShear(run, sliding, limit, tractions, count);
 	for (int i = 0; i < 3; ++i)
 		shear[i] -= run.springs.shearDashpot * sliding[i];
 	const Lanes kept = shortening(lengthOf(shear), limit), xiEta = s.xi * s.eta, pq = s.p * s.q;
@@ -175,14 +170,65 @@ BRICK_INLINE void addGroup(const Run& run, int first, Vector3r* tractions, RunSu
 	}
 	sums.area += s.area, sums.pressed += s.area * pressure;
 	sums.deepest = greater(sums.deepest, s.penetration);
+	return force;
 }
 
 void addGroups(const Run& run, Vector3r* tractions, RunSums& sums)
 {
 	RunSums local;
-	for (int first = 0; first < run.count; first += lanes)
-		addGroup(run, first, tractions, local);
+	for (int first = 0; first < run.count; first += lanes) {
+		const SpotLanes s(run, first);
+		addForces(run, s, relativeVelocity(run, s), tractions + first, run.count - first, local);
+	}
 	sums = local;
+}
+
+/// Eight points of one of the two faces, as far as its body is refined.
+struct PointsInCells {
+	const Side&        side;
+	const SurfaceGrid* cells;
+	SurfaceLanes       points;
+
+	BRICK_INLINE PointsInCells(const Side& side, const SurfaceGrid* cells, int face, const Lanes& xi, const Lanes& eta)
+	        : side(side)
+	        , cells(cells)
+	{
+		if (cells) points.locate(*cells, face, xi, eta);
+	}
+	BRICK_INLINE bool velocity(Vectors& out) const
+	{
+		if (!cells || !side.placement.displacementRate) return false;
+		points.interpolate(side.placement.displacementRate, out);
+		return true;
+	}
+	BRICK_INLINE void addForces(const Vectors& force, int count, Loads& loads) const
+	{
+		if (cells) points.addForces(force, count, loads.nodal.data());
+	}
+};
+
+/// Where a body is refined, neighbouring spots are mostly in different cells: each is shared out to the nodes of its own.
+void addRefinedGroups(const Run& run, Vector3r* tractions, Loads& onOwner, Loads& onOther, RunSums& sums)
+{
+	const Matrix3r& turn = run.bodies.turn;
+	for (int first = 0; first < run.count; first += lanes) {
+		const SpotLanes     s(run, first);
+		const int           count = run.count - first;
+		const PointsInCells mine(run.bodies.owner, run.ownerCells, run.spots->ownerFace, s.xi, s.eta);
+		const PointsInCells its(run.bodies.other, run.otherCells, run.spots->otherFace, s.p, s.q);
+		Vectors             velocity = relativeVelocity(run, s), rate, force, toOwner;
+		if (mine.velocity(rate))
+			for (int i = 0; i < 3; ++i)
+				velocity[i] += turn(i, 0) * rate[0] + turn(i, 1) * rate[1] + turn(i, 2) * rate[2];
+		if (its.velocity(rate))
+			for (int i = 0; i < 3; ++i)
+				velocity[i] -= rate[i];
+		force = addForces(run, s, velocity, tractions + first, count, sums);
+		for (int i = 0; i < 3; ++i)
+			toOwner[i] = turn(0, i) * force[0] + turn(1, i) * force[1] + turn(2, i) * force[2], force[i] = -force[i];
+		mine.addForces(toOwner, count, onOwner);
+		its.addForces(force, count, onOther);
+	}
 }
 
 Vector3r sumOf(const Lanes (&x)[3]) { return { sumOf(x[0]), sumOf(x[1]), sumOf(x[2]) }; }
@@ -210,8 +256,8 @@ void addRun(const Run& run, const RunSums& lane, Loads& onOwner, Loads& onOther,
 {
 	const Vector3r force = sumOf(lane.force);
 	const Real     area  = sumOf(lane.area);
-	addNodal(onOwner, run.spots->ownerFace, force, lane.onOwner, 1, &run.bodies.turn);
-	addNodal(onOther, run.spots->otherFace, force, lane.onOther, -1, nullptr);
+	if (!run.ownerCells) addNodal(onOwner, run.spots->ownerFace, force, lane.onOwner, 1, &run.bodies.turn);
+	if (!run.otherCells) addNodal(onOther, run.spots->otherFace, force, lane.onOther, -1, nullptr);
 	sums.force += force, sums.torque += sumOf(lane.torque), sums.place += sumOf(lane.place), sums.area += area;
 	sums.normal += area * run.normal, sums.pressed += sumOf(lane.pressed) * run.normal;
 	pair.kn += area * run.springs.normal, pair.ks += area * run.springs.shear, pair.area += area;
@@ -251,7 +297,9 @@ void addLoads(
 				++end;
 			const Run run(bodies, &spots[first], int(end - first), springsOf(spots[first], side0, side1, pair), pair.tanFriction, dt);
 			RunSums   lane;
-			addGroups(run, tractions + first, lane);
+			if (run.ownerCells || run.otherCells) addRefinedGroups(run, tractions + first, loads[owner], loads[!owner], lane);
+			else
+				addGroups(run, tractions + first, lane);
 			addRun(run, lane, loads[owner], loads[!owner], sums, sum);
 			first = end;
 		}
