@@ -104,8 +104,8 @@ struct SpotLanes {
 	}
 };
 
-/// Velocity of the owner at the spots relative to the other body.
-BRICK_INLINE Vectors relativeVelocity(const Run& run, const SpotLanes& s)
+/// Velocity of the owner at the spots relative to the other body; without deformation where a face has several cells.
+BRICK_INLINE Vectors velocityBetween(const Run& run, const SpotLanes& s)
 {
 	const Vector3r &v = run.bodies.velocity, &w = run.bodies.spin;
 	Vectors         out;
@@ -142,16 +142,18 @@ BRICK_INLINE Vectors elasticShear(const Run& run, const Vectors& sliding, const 
 	return tau;
 }
 
-/// Forces of eight spots on the owner, or of as many as count.
-BRICK_INLINE Vectors addForces(const Run& run, const SpotLanes& s, const Vectors& velocity, Vector3r* tractions, int count, RunSums& sums)
+/// @param cells WholeFaces or CellsOfSpots
+template <class Cells> BRICK_INLINE void addGroup(const Run& run, int first, Vector3r* tractions, RunSums& sums, Cells& cells)
 {
-	const Lanes leaving = dot(velocity, run.normal);
-	Vectors     sliding;
+	const SpotLanes s(run, first);
+	const Vectors   velocity = cells.relativeVelocity(run, s);
+	const Lanes     leaving  = dot(velocity, run.normal);
+	Vectors         sliding;
 	for (int i = 0; i < 3; ++i)
 		sliding[i] = velocity[i] - leaving * run.normal[i];
 	const Lanes pressure = greater(run.springs.normal * s.penetration - run.springs.normalDashpot * leaving, Lanes {}), limit = pressure * run.tanFriction;
 
-	Vectors shear = elasticShear(run, sliding, limit, tractions, count);
+	Vectors shear = elasticShear(run, sliding, limit, tractions + first, run.count - first);
 	for (int i = 0; i < 3; ++i)
 		shear[i] -= run.springs.shearDashpot * sliding[i];
 	const Lanes kept = shortening(lengthOf(shear), limit), xiEta = s.xi * s.eta, pq = s.p * s.q;
@@ -170,65 +172,65 @@ BRICK_INLINE Vectors addForces(const Run& run, const SpotLanes& s, const Vectors
 	}
 	sums.area += s.area, sums.pressed += s.area * pressure;
 	sums.deepest = greater(sums.deepest, s.penetration);
-	return force;
+	cells.addForces(run, force, run.count - first);
 }
 
-void addGroups(const Run& run, Vector3r* tractions, RunSums& sums)
-{
-	RunSums local;
-	for (int first = 0; first < run.count; first += lanes) {
-		const SpotLanes s(run, first);
-		addForces(run, s, relativeVelocity(run, s), tractions + first, run.count - first, local);
-	}
-	sums = local;
-}
-
-/// Eight points of one of the two faces, as far as its body is refined.
-struct PointsInCells {
-	const Side&        side;
-	const SurfaceGrid* cells;
-	SurfaceLanes       points;
-
-	BRICK_INLINE PointsInCells(const Side& side, const SurfaceGrid* cells, int face, const Lanes& xi, const Lanes& eta)
-	        : side(side)
-	        , cells(cells)
-	{
-		if (cells) points.locate(*cells, face, xi, eta);
-	}
-	BRICK_INLINE bool velocity(Vectors& out) const
-	{
-		if (!cells || !side.placement.displacementRate) return false;
-		points.interpolate(side.placement.displacementRate, out);
-		return true;
-	}
-	BRICK_INLINE void addForces(const Vectors& force, int count, Loads& loads) const
-	{
-		if (cells) points.addForces(force, count, loads.nodal.data());
-	}
+/// Both faces are single cells, whose nodal forces follow from the sums.
+struct WholeFaces {
+	BRICK_INLINE WholeFaces(const Run&, Loads&, Loads&) { }
+	BRICK_INLINE Vectors relativeVelocity(const Run& run, const SpotLanes& s) const { return velocityBetween(run, s); }
+	BRICK_INLINE void    addForces(const Run&, const Vectors&, int) const { }
 };
 
-/// Where a body is refined, neighbouring spots are mostly in different cells: each is shared out to the nodes of its own.
-void addRefinedGroups(const Run& run, Vector3r* tractions, Loads& onOwner, Loads& onOther, RunSums& sums)
-{
-	const Matrix3r& turn = run.bodies.turn;
-	for (int first = 0; first < run.count; first += lanes) {
-		const SpotLanes     s(run, first);
-		const int           count = run.count - first;
-		const PointsInCells mine(run.bodies.owner, run.ownerCells, run.spots->ownerFace, s.xi, s.eta);
-		const PointsInCells its(run.bodies.other, run.otherCells, run.spots->otherFace, s.p, s.q);
-		Vectors             velocity = relativeVelocity(run, s), rate, force, toOwner;
-		if (mine.velocity(rate))
+/// A face has several cells. Neighbouring spots are mostly in different ones: each is shared out to the nodes of its own.
+class CellsOfSpots {
+public:
+	BRICK_INLINE CellsOfSpots(const Run&, Loads& onOwner, Loads& onOther)
+	        : onOwner(onOwner)
+	        , onOther(onOther)
+	{
+	}
+	BRICK_INLINE Vectors relativeVelocity(const Run& run, const SpotLanes& s)
+	{
+		if (run.ownerCells) owner.locate(*run.ownerCells, run.spots->ownerFace, s.xi, s.eta);
+		if (run.otherCells) other.locate(*run.otherCells, run.spots->otherFace, s.p, s.q);
+		const Matrix3r& turn = run.bodies.turn;
+		const Vector3r *mine = run.bodies.owner.placement.displacementRate, *its = run.bodies.other.placement.displacementRate;
+		Vectors         velocity = velocityBetween(run, s), rate;
+		if (run.ownerCells && mine) {
+			owner.interpolate(mine, rate);
 			for (int i = 0; i < 3; ++i)
 				velocity[i] += turn(i, 0) * rate[0] + turn(i, 1) * rate[1] + turn(i, 2) * rate[2];
-		if (its.velocity(rate))
+		}
+		if (run.otherCells && its) {
+			other.interpolate(its, rate);
 			for (int i = 0; i < 3; ++i)
 				velocity[i] -= rate[i];
-		force = addForces(run, s, velocity, tractions + first, count, sums);
-		for (int i = 0; i < 3; ++i)
-			toOwner[i] = turn(0, i) * force[0] + turn(1, i) * force[1] + turn(2, i) * force[2], force[i] = -force[i];
-		mine.addForces(toOwner, count, onOwner);
-		its.addForces(force, count, onOther);
+		}
+		return velocity;
 	}
+	BRICK_INLINE void addForces(const Run& run, const Vectors& force, int count) const
+	{
+		const Matrix3r& turn = run.bodies.turn;
+		Vectors         mine, its;
+		for (int i = 0; i < 3; ++i)
+			mine[i] = turn(0, i) * force[0] + turn(1, i) * force[1] + turn(2, i) * force[2], its[i] = -force[i];
+		if (run.ownerCells) owner.addForces(mine, count, onOwner.nodal.data());
+		if (run.otherCells) other.addForces(its, count, onOther.nodal.data());
+	}
+
+private:
+	Loads &      onOwner, &onOther;
+	SurfaceLanes owner, other;
+};
+
+template <class Cells> void addGroups(const Run& run, Vector3r* tractions, Loads& onOwner, Loads& onOther, RunSums& sums)
+{
+	RunSums local;
+	Cells   cells(run, onOwner, onOther);
+	for (int first = 0; first < run.count; first += lanes)
+		addGroup(run, first, tractions, local, cells);
+	sums = local;
 }
 
 Vector3r sumOf(const Lanes (&x)[3]) { return { sumOf(x[0]), sumOf(x[1]), sumOf(x[2]) }; }
@@ -276,8 +278,8 @@ void addOwner(const OwnerAndOther& bodies, bool ownerIsFirst, const OwnerSums& s
 	pair.point += axes * (ownerIsFirst ? Vector3r(sums.place + sums.area * bodies.offset) : sums.place);
 }
 
-/// Forces of all spots; the tractions are those of the step before, and become those of this one.
-void addLoads(
+template <class Cells>
+void addLoadsOf(
         const Side&                     side0,
         const Side&                     side1,
         const std::vector<ContactSpot>& spots,
@@ -297,12 +299,26 @@ void addLoads(
 				++end;
 			const Run run(bodies, &spots[first], int(end - first), springsOf(spots[first], side0, side1, pair), pair.tanFriction, dt);
 			RunSums   lane;
-			if (run.ownerCells || run.otherCells) addRefinedGroups(run, tractions + first, loads[owner], loads[!owner], lane);
-			else
-				addGroups(run, tractions + first, lane);
+			addGroups<Cells>(run, tractions + first, loads[owner], loads[!owner], lane);
 			addRun(run, lane, loads[owner], loads[!owner], sums, sum);
 			first = end;
 		}
 		addOwner(bodies, owner == 0, sums, loads[owner], loads[!owner], sum);
 	}
+}
+
+/// Forces of all spots; the tractions are those of the step before, and become those of this one.
+void addLoads(
+        const Side&                     side0,
+        const Side&                     side1,
+        const std::vector<ContactSpot>& spots,
+        const PairSprings&              pair,
+        Real                            dt,
+        Vector3r*                       tractions,
+        std::array<Loads, 2>&           loads,
+        PairSummary&                    sum)
+{
+	if (side0.cells > 1 || side1.cells > 1) addLoadsOf<CellsOfSpots>(side0, side1, spots, pair, dt, tractions, loads, sum);
+	else
+		addLoadsOf<WholeFaces>(side0, side1, spots, pair, dt, tractions, loads, sum);
 }
