@@ -23,6 +23,9 @@ struct Body {
 	Placement           placement;
 	Nodes               displacement, rate;
 
+	int                   cells = 1;            ///< of a refined body, which has the next two instead
+	std::vector<Vector3r> surface, surfaceRate; ///< displacement and rate of the nodes of its surface
+
 	explicit Body(const Nodes& corners, Real length = .001)
 	        : solid(corners)
 	{
@@ -48,9 +51,23 @@ struct Body {
 	Side side() const
 	{
 		Side s { &solid, &contactLength, segments, support, placement };
-		s.placement.displacement     = deformable ? displacement.data() : nullptr;
-		s.placement.displacementRate = deformable ? rate.data() : nullptr;
+		s.placement.displacement     = !deformable ? nullptr : cells > 1 ? surface.data() : displacement.data();
+		s.placement.displacementRate = !deformable ? nullptr : cells > 1 ? surfaceRate.data() : rate.data();
+		s.cells                      = cells;
 		return s;
+	}
+	/// With n cells along an edge, it moves as it did: trilinear fields.
+	void refine(int n)
+	{
+		cells = n, segments = (segments + n - 1) / n * n;
+		surface.clear(), surfaceRate.clear();
+		for (int node = 0; node < surfaceGrid(n).size(); ++node) {
+			const auto N = shapeFunctions(surfaceGrid(n).naturalCoordinates(node));
+			Vector3r   u = Vector3r::Zero(), v = Vector3r::Zero();
+			for (int a = 0; a < nodeCount; ++a)
+				u += N[a] * displacement[a], v += N[a] * rate[a];
+			surface.push_back(u), surfaceRate.push_back(v);
+		}
 	}
 	/// Moves it about a fixed point by an axis-angle vector [rad], then by a shift.
 	void move(const Vector3r& turn, const Vector3r& shift = Vector3r::Zero(), const Vector3r& about = Vector3r::Zero())

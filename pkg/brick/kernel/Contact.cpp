@@ -26,6 +26,15 @@ namespace {
 		}
 	}
 
+	void clear(Loads& loads, int cells)
+	{
+		loads.force.setZero(), loads.torque.setZero();
+		loads.nodal.assign(surfaceGrid(cells).size(), Vector3r(Vector3r::Zero()));
+	}
+
+	/// Null where a face is a single cell.
+	const SurfaceGrid* cellsOf(const Side& side) { return side.cells > 1 ? &surfaceGrid(side.cells) : nullptr; }
+
 } // namespace
 
 } // namespace brick
@@ -52,7 +61,7 @@ void contactLoads(
         std::array<Loads, 2>&           loads,
         PairSummary&                    sum)
 {
-	loads = { Loads(), Loads() };
+	clear(loads[0], side0.cells), clear(loads[1], side1.cells);
 	recall(memory, spots, scratch);
 	std::swap(memory, scratch);
 	BRICK_BEST_INSTRUCTION_SET(addLoads)(side0, side1, spots, pair, dt, memory.tractions.data(), loads, sum);

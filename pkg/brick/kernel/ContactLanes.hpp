@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Forces of spots of contact, eight spots of a pair of faces at a time: included by Contact.cpp once for each instruction set (InstructionSets.hpp).
 
-#include "EightLanes.hpp"
+#include "SurfaceLanes.hpp"
 
-/// Three components of a vector.
-struct Vectors {
-	Lanes                     x[3];
-	BRICK_INLINE Lanes&       operator[](int i) { return x[i]; }
-	BRICK_INLINE const Lanes& operator[](int i) const { return x[i]; }
-};
-BRICK_INLINE Lanes dot(const Vectors& a, const Vector3r& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 BRICK_INLINE Lanes lengthOf(const Vectors& a) { return root(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
 
 /// The owner of spots and the other body, in whose axes and about whose position everything is computed.
@@ -34,17 +27,17 @@ struct OwnerAndOther {
 	}
 };
 
-/// Velocities that the deformation gives to a face: coefficients of bilinear fields.
+/// Velocities that the deformation gives to a face that is a single cell: coefficients of bilinear fields.
 struct RateField {
 	bool          any = false;
 	BilinearField component[3];
 
-	RateField(const Placement& at, int face)
-	        : any(at.displacementRate)
+	RateField(const Side& side, int face)
+	        : any(side.placement.displacementRate && side.cells == 1)
 	{
 		if (!any) return;
 		const auto&     n = faceNodes[face];
-		const Vector3r* v = at.displacementRate;
+		const Vector3r* v = side.placement.displacementRate;
 		for (int i = 0; i < 3; ++i)
 			component[i] = BilinearField::of(v[n[0]][i], v[n[1]][i], v[n[2]][i], v[n[3]][i]);
 	}
@@ -67,6 +60,7 @@ struct Run {
 	Real                 tanFriction, dt;
 	Vector3r             normal;
 	RateField            ownerRate, otherRate;
+	const SurfaceGrid *  ownerCells, *otherCells; ///< null where a face is a single cell
 
 	Run(const OwnerAndOther& bodies, const ContactSpot* spots, int count, const SpotSprings& springs, Real tanFriction, Real dt)
 	        : bodies(bodies)
@@ -76,8 +70,10 @@ struct Run {
 	        , tanFriction(tanFriction)
 	        , dt(dt)
 	        , normal(bodies.other.solid->faces[spots->otherFace].normal)
-	        , ownerRate(bodies.owner.placement, spots->ownerFace)
-	        , otherRate(bodies.other.placement, spots->otherFace)
+	        , ownerRate(bodies.owner, spots->ownerFace)
+	        , otherRate(bodies.other, spots->otherFace)
+	        , ownerCells(cellsOf(bodies.owner))
+	        , otherCells(cellsOf(bodies.other))
 	{
 		ownerRate.turn(bodies.turn);
 	}
@@ -108,8 +104,8 @@ struct SpotLanes {
 	}
 };
 
-/// Velocity of the owner at the spots relative to the other body.
-BRICK_INLINE Vectors relativeVelocity(const Run& run, const SpotLanes& s)
+/// Velocity of the owner at the spots relative to the other body; without deformation where a face has several cells.
+BRICK_INLINE Vectors velocityBetween(const Run& run, const SpotLanes& s)
 {
 	const Vector3r &v = run.bodies.velocity, &w = run.bodies.spin;
 	Vectors         out;
@@ -146,10 +142,11 @@ BRICK_INLINE Vectors elasticShear(const Run& run, const Vectors& sliding, const 
 	return tau;
 }
 
-BRICK_INLINE void addGroup(const Run& run, int first, Vector3r* tractions, RunSums& sums)
+/// @param cells WholeFaces or CellsOfSpots
+template <class Cells> BRICK_INLINE void addGroup(const Run& run, int first, Vector3r* tractions, RunSums& sums, Cells& cells)
 {
 	const SpotLanes s(run, first);
-	const Vectors   velocity = relativeVelocity(run, s);
+	const Vectors   velocity = cells.relativeVelocity(run, s);
 	const Lanes     leaving  = dot(velocity, run.normal);
 	Vectors         sliding;
 	for (int i = 0; i < 3; ++i)
@@ -175,13 +172,64 @@ BRICK_INLINE void addGroup(const Run& run, int first, Vector3r* tractions, RunSu
 	}
 	sums.area += s.area, sums.pressed += s.area * pressure;
 	sums.deepest = greater(sums.deepest, s.penetration);
+	cells.addForces(run, force, run.count - first);
 }
 
-void addGroups(const Run& run, Vector3r* tractions, RunSums& sums)
+/// Both faces are single cells, whose nodal forces follow from the sums.
+struct WholeFaces {
+	BRICK_INLINE WholeFaces(const Run&, Loads&, Loads&) { }
+	BRICK_INLINE Vectors relativeVelocity(const Run& run, const SpotLanes& s) const { return velocityBetween(run, s); }
+	BRICK_INLINE void    addForces(const Run&, const Vectors&, int) const { }
+};
+
+/// A face has several cells. Neighbouring spots are mostly in different ones: each is shared out to the nodes of its own.
+class CellsOfSpots {
+public:
+	BRICK_INLINE CellsOfSpots(const Run&, Loads& onOwner, Loads& onOther)
+	        : onOwner(onOwner)
+	        , onOther(onOther)
+	{
+	}
+	BRICK_INLINE Vectors relativeVelocity(const Run& run, const SpotLanes& s)
+	{
+		if (run.ownerCells) owner.locate(*run.ownerCells, run.spots->ownerFace, s.xi, s.eta);
+		if (run.otherCells) other.locate(*run.otherCells, run.spots->otherFace, s.p, s.q);
+		const Matrix3r& turn = run.bodies.turn;
+		const Vector3r *mine = run.bodies.owner.placement.displacementRate, *its = run.bodies.other.placement.displacementRate;
+		Vectors         velocity = velocityBetween(run, s), rate;
+		if (run.ownerCells && mine) {
+			owner.interpolate(mine, rate);
+			for (int i = 0; i < 3; ++i)
+				velocity[i] += turn(i, 0) * rate[0] + turn(i, 1) * rate[1] + turn(i, 2) * rate[2];
+		}
+		if (run.otherCells && its) {
+			other.interpolate(its, rate);
+			for (int i = 0; i < 3; ++i)
+				velocity[i] -= rate[i];
+		}
+		return velocity;
+	}
+	BRICK_INLINE void addForces(const Run& run, const Vectors& force, int count) const
+	{
+		const Matrix3r& turn = run.bodies.turn;
+		Vectors         mine, its;
+		for (int i = 0; i < 3; ++i)
+			mine[i] = turn(0, i) * force[0] + turn(1, i) * force[1] + turn(2, i) * force[2], its[i] = -force[i];
+		if (run.ownerCells) owner.addForces(mine, count, onOwner.nodal.data());
+		if (run.otherCells) other.addForces(its, count, onOther.nodal.data());
+	}
+
+private:
+	Loads &      onOwner, &onOther;
+	SurfaceLanes owner, other;
+};
+
+template <class Cells> void addGroups(const Run& run, Vector3r* tractions, Loads& onOwner, Loads& onOther, RunSums& sums)
 {
 	RunSums local;
+	Cells   cells(run, onOwner, onOther);
 	for (int first = 0; first < run.count; first += lanes)
-		addGroup(run, first, tractions, local);
+		addGroup(run, first, tractions, local, cells);
 	sums = local;
 }
 
@@ -210,8 +258,8 @@ void addRun(const Run& run, const RunSums& lane, Loads& onOwner, Loads& onOther,
 {
 	const Vector3r force = sumOf(lane.force);
 	const Real     area  = sumOf(lane.area);
-	addNodal(onOwner, run.spots->ownerFace, force, lane.onOwner, 1, &run.bodies.turn);
-	addNodal(onOther, run.spots->otherFace, force, lane.onOther, -1, nullptr);
+	if (!run.ownerCells) addNodal(onOwner, run.spots->ownerFace, force, lane.onOwner, 1, &run.bodies.turn);
+	if (!run.otherCells) addNodal(onOther, run.spots->otherFace, force, lane.onOther, -1, nullptr);
 	sums.force += force, sums.torque += sumOf(lane.torque), sums.place += sumOf(lane.place), sums.area += area;
 	sums.normal += area * run.normal, sums.pressed += sumOf(lane.pressed) * run.normal;
 	pair.kn += area * run.springs.normal, pair.ks += area * run.springs.shear, pair.area += area;
@@ -230,8 +278,8 @@ void addOwner(const OwnerAndOther& bodies, bool ownerIsFirst, const OwnerSums& s
 	pair.point += axes * (ownerIsFirst ? Vector3r(sums.place + sums.area * bodies.offset) : sums.place);
 }
 
-/// Forces of all spots; the tractions are those of the step before, and become those of this one.
-void addLoads(
+template <class Cells>
+void addLoadsOf(
         const Side&                     side0,
         const Side&                     side1,
         const std::vector<ContactSpot>& spots,
@@ -251,10 +299,26 @@ void addLoads(
 				++end;
 			const Run run(bodies, &spots[first], int(end - first), springsOf(spots[first], side0, side1, pair), pair.tanFriction, dt);
 			RunSums   lane;
-			addGroups(run, tractions + first, lane);
+			addGroups<Cells>(run, tractions + first, loads[owner], loads[!owner], lane);
 			addRun(run, lane, loads[owner], loads[!owner], sums, sum);
 			first = end;
 		}
 		addOwner(bodies, owner == 0, sums, loads[owner], loads[!owner], sum);
 	}
+}
+
+/// Forces of all spots; the tractions are those of the step before, and become those of this one.
+void addLoads(
+        const Side&                     side0,
+        const Side&                     side1,
+        const std::vector<ContactSpot>& spots,
+        const PairSprings&              pair,
+        Real                            dt,
+        Vector3r*                       tractions,
+        std::array<Loads, 2>&           loads,
+        PairSummary&                    sum)
+{
+	if (side0.cells > 1 || side1.cells > 1) addLoadsOf<CellsOfSpots>(side0, side1, spots, pair, dt, tractions, loads, sum);
+	else
+		addLoadsOf<WholeFaces>(side0, side1, spots, pair, dt, tractions, loads, sum);
 }

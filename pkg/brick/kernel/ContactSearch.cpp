@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Spots of contact. Faces that cannot touch are refused by their corners; of the others only the rows and columns near the overlap are looked at, eight cells
+// Spots of contact. Faces that cannot touch are refused by their nodes; of the others only the rows and columns near the overlap are looked at, eight cells
 // at a time. Most cells lie inside the other body as a whole and have one nearest face: their spots follow in closed form; the others are cut as polygons.
 #include "ClippedPolygon.hpp"
 #include "Contact.hpp"
@@ -16,7 +16,40 @@ namespace {
 
 	Vector3r displacementOf(const Placement& at, int node) { return at.displacement ? at.displacement[node] : Vector3r(Vector3r::Zero()); }
 
-	/// The face of `a` that the middle of `b` is farthest beyond has all of b's corners outside: so most pairs that do not touch are told, at little cost.
+	/// Of a body whose faces deform cell by cell; null for one whose displacement, if any, is bilinear over a whole face.
+	const SurfaceGrid* cellsOf(const Side& side) { return side.cells > 1 && side.placement.displacement ? &surfaceGrid(side.cells) : nullptr; }
+
+	/// Displacement of the nodes of a face outwards.
+	struct FaceLift {
+		Real mean = 0, highest = -unbounded, lowest = unbounded;
+
+		FaceLift(const Side& side, const SurfaceGrid& grid, int face)
+		{
+			for (int row = 0; row <= grid.cells(); ++row)
+				for (int column = 0; column <= grid.cells(); ++column) {
+					const Real up = side.solid->faces[face].normal.dot(side.placement.displacement[grid.faceNode(face, column, row)]);
+					mean += up, highest = std::max(highest, up), lowest = std::min(lowest, up);
+				}
+			mean /= (grid.cells() + 1) * (grid.cells() + 1);
+		}
+	};
+
+	/// Not above any point of the surface, along a direction in body axes.
+	Real lowestAlong(const Vector3r& direction, const Side& side)
+	{
+		const SurfaceGrid* grid   = cellsOf(side);
+		Real               lowest = unbounded, lift = 0;
+		for (int node = 0; node < nodeCount; ++node) {
+			const Vector3r corner = grid ? side.solid->corners[node] : Vector3r(side.solid->corners[node] + displacementOf(side.placement, node));
+			lowest                = std::min(lowest, direction.dot(corner));
+		}
+		if (grid) lift = unbounded;
+		for (int node = 0; grid && node < grid->size(); ++node)
+			lift = std::min(lift, direction.dot(side.placement.displacement[node]));
+		return lowest + lift;
+	}
+
+	/// The face of `a` that the middle of `b` is farthest beyond has all of b's nodes outside: so most pairs that do not touch are told, at little cost.
 	bool isBeyondOneFace(const Side& a, const Side& b)
 	{
 		const Vector3r offset = a.placement.rotation.transpose() * (b.placement.position - a.placement.position);
@@ -28,16 +61,14 @@ namespace {
 		}
 		const Face& face    = a.solid->faces[likely];
 		Real        highest = 0;
-		if (a.placement.displacement) {
+		if (const SurfaceGrid* grid = cellsOf(a)) highest = FaceLift(a, *grid, likely).highest;
+		else if (a.placement.displacement) {
 			highest = -unbounded;
 			for (int node : faceNodes[likely])
 				highest = std::max(highest, face.normal.dot(a.placement.displacement[node]));
 		}
 		const Vector3r normal = b.placement.rotation.transpose() * (a.placement.rotation * face.normal);
-		Real           lowest = unbounded;
-		for (int node = 0; node < nodeCount; ++node)
-			lowest = std::min(lowest, normal.dot(b.solid->corners[node] + displacementOf(b.placement, node)));
-		return height + lowest >= highest;
+		return height + lowestAlong(normal, b) >= highest;
 	}
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The search of one body's faces for contact with another: included by ContactSearch.cpp once for each instruction set (InstructionSets.hpp).
 
-#include "EightLanes.hpp"
+#include "SurfaceLanes.hpp"
 
 /// Where a segment can press on several faces of the other body, it is divided into the parts nearest to each, unless it is nearly perpendicular to one:
 /// that one's part would press with the square of this cosine, and stacked bricks that lean a little would have the segments at their rims divided for nothing.
@@ -11,45 +11,67 @@ constexpr Real leastCosine = .02;
 struct View {
 	View(const Side& owner, const Side& other);
 
-	/// Some face of the other body has all corners of the owner outside.
+	/// Some face of the other body has all of the owner outside.
 	bool apart() const
 	{
 		Lanes lowest = cornerHeights[0];
 		for (int a = 1; a < nodeCount; ++a)
 			lowest = lesser(lowest, cornerHeights[a]);
+		if (ownerCells) lowest += lowestLift;
 		return bitsOf(lowest >= highestBulge) != 0;
 	}
+	/// Over the mean planes.
+	BRICK_INLINE Lanes heightsOf(const Vector3r& x) const { return (normal[0] * x[0] + normal[1] * x[1] + normal[2] * x[2]) - meanOffset; }
+	/// Of a face over its mean plane, at natural coordinates of the face.
+	BRICK_INLINE Lanes bulgeAt(int f, const Lanes& p, const Lanes& q) const
+	{
+		if (!otherCells) return bulge[f].at(p, q);
+		Lanes h;
+		bulgeOfCells(f, p, q, h);
+		return h;
+	}
+	/// Displacement of a refined owner at points of one of its faces, in the other body's axes.
+	void displacementAt(int face, const Lanes& xi, const Lanes& eta, Vectors& out) const;
 
-	const Side &  owner, &other;
-	Matrix3r      turn; ///< owner's axes to the other body's
-	Real          corners[nodeCount][3];
-	Lanes         cornerHeights[nodeCount]; ///< over the mean planes of the faces
-	Lanes         normal[3];
-	Lanes         highestBulge, lowestBulge; ///< of each face over its mean plane
-	BilinearField bulge[faceCount];          ///< only of deformable bodies
+	const Side &       owner, &other;
+	const SurfaceGrid *ownerCells, *otherCells; ///< null where fields are bilinear over a whole face
+	Matrix3r           turn;                    ///< owner's axes to the other body's
+	Real               corners[nodeCount][3];   ///< of a refined owner: at rest
+	Lanes              cornerHeights[nodeCount]; ///< over the mean planes of the faces
+	Lanes              normal[3], meanOffset;
+	Lanes              highestBulge, lowestBulge; ///< of each face over its mean plane
+	BilinearField      bulge[faceCount];          ///< only of deformable bodies
+	Real               meanBulge[faceCount];      ///< only of refined bodies
+	Lanes              lowestLift;                ///< only of refined owners: least displacement of their nodes along the normals
 
 private:
-	void lookAtFaces(Lanes& meanOffset);
+	void                           lookAtFaces();
+	void                           findLowestLift();
+	__attribute__((noinline)) void bulgeOfCells(int f, const Lanes& p, const Lanes& q, Lanes& out) const;
 };
 
 View::View(const Side& owner, const Side& other)
         : owner(owner)
         , other(other)
+        , ownerCells(cellsOf(owner))
+        , otherCells(cellsOf(other))
         , turn(other.placement.rotation.transpose() * owner.placement.rotation)
 {
-	Lanes meanOffset = allLanes(unbounded);
-	lookAtFaces(meanOffset);
+	lookAtFaces();
 	const Vector3r offset = other.placement.rotation.transpose() * (owner.placement.position - other.placement.position);
 	for (int a = 0; a < nodeCount; ++a) {
-		const Vector3r x = offset + turn * (owner.solid->corners[a] + displacementOf(owner.placement, a));
+		const Vector3r corner = ownerCells ? owner.solid->corners[a] : Vector3r(owner.solid->corners[a] + displacementOf(owner.placement, a));
+		const Vector3r x      = offset + turn * corner;
 		for (int i = 0; i < 3; ++i)
 			corners[a][i] = x[i];
-		cornerHeights[a] = (normal[0] * x[0] + normal[1] * x[1] + normal[2] * x[2]) - meanOffset;
+		cornerHeights[a] = heightsOf(x);
 	}
+	if (ownerCells) findLowestLift();
 }
 
-void View::lookAtFaces(Lanes& meanOffset)
+void View::lookAtFaces()
 {
+	meanOffset = allLanes(unbounded);
 	normal[0] = normal[1] = normal[2] = highestBulge = lowestBulge = Lanes {};
 	for (int f = 0; f < faceCount; ++f) {
 		const Face& face = other.solid->faces[f];
@@ -57,6 +79,12 @@ void View::lookAtFaces(Lanes& meanOffset)
 			normal[i][f] = face.normal[i];
 		meanOffset[f] = face.offset;
 		if (!other.placement.displacement) continue;
+		if (otherCells) {
+			const FaceLift lift(other, *otherCells, f);
+			meanBulge[f] = lift.mean, highestBulge[f] = lift.highest - lift.mean, lowestBulge[f] = lift.lowest - lift.mean;
+			meanOffset[f] += lift.mean;
+			continue;
+		}
 		Real up[4];
 		for (int a = 0; a < 4; ++a)
 			up[a] = face.normal.dot(other.placement.displacement[faceNodes[f][a]]);
@@ -67,6 +95,34 @@ void View::lookAtFaces(Lanes& meanOffset)
 		highestBulge[f] = std::max(std::max(up[0], up[1]), std::max(up[2], up[3])) - mean;
 		lowestBulge[f]  = std::min(std::min(up[0], up[1]), std::min(up[2], up[3])) - mean;
 	}
+}
+
+void View::findLowestLift()
+{
+	lowestLift = allLanes(unbounded);
+	for (int node = 0; node < ownerCells->size(); ++node) {
+		const Vector3r u = turn * owner.placement.displacement[node];
+		lowestLift       = lesser(lowestLift, normal[0] * u[0] + normal[1] * u[1] + normal[2] * u[2]);
+	}
+}
+
+void View::bulgeOfCells(int f, const Lanes& p, const Lanes& q, Lanes& out) const
+{
+	SurfaceLanes points;
+	Vectors      u;
+	points.locate(*otherCells, f, p, q);
+	points.interpolate(other.placement.displacement, u);
+	out = dot(u, other.solid->faces[f].normal) - meanBulge[f];
+}
+
+void View::displacementAt(int face, const Lanes& xi, const Lanes& eta, Vectors& out) const
+{
+	SurfaceLanes points;
+	Vectors      u;
+	points.locate(*ownerCells, face, xi, eta);
+	points.interpolate(owner.placement.displacement, u);
+	for (int i = 0; i < 3; ++i)
+		out[i] = turn(i, 0) * u[0] + turn(i, 1) * u[1] + turn(i, 2) * u[2];
 }
 
 /// Natural coordinates on a face, as Face::coordinates.
@@ -105,7 +161,8 @@ struct FacePair {
 	unsigned      bulging;         ///< faces of the other body whose bulging matters, a bit each
 	int           count;           ///< of the faces of the other body that cut the owner's or could be the nearest:
 	int           faces[faceCount];
-	BilinearField place[3], height[faceCount]; ///< of the owner's face; heights over `faces`
+	BilinearField place[3], height[faceCount]; ///< of the owner's face, of a refined owner at rest; heights over `faces`
+	Lanes         nodeHeights[largestCells + 1][largestCells + 1]; ///< only of refined owners: over the mean planes, row by row
 
 	BRICK_INLINE FacePair(const View& view, int ownerIndex, int face, Real weight)
 	        : view(view)
@@ -119,16 +176,36 @@ struct FacePair {
 	BRICK_INLINE bool         canTouch();
 	BRICK_INLINE Range        nearOverlap(int from0, int to0, int from1, int to1) const;
 	BRICK_INLINE void         prepareFields();
+
+private:
+	/// Part of some edges that is not beyond a face of the other body; 0 to 1 along an edge.
+	struct Reach {
+		Lanes begin, end;
+
+		BRICK_INLINE Reach()
+		        : begin(allLanes(unbounded))
+		        , end(allLanes(-unbounded))
+		{
+		}
+		BRICK_INLINE void add(const Lanes& from, const Lanes& to);
+	};
+	BRICK_INLINE Range            segmentsIn(const Reach&) const;
+	__attribute__((noinline)) void lookAtNodes();
+	__attribute__((noinline)) void findRanges();
 };
 
-/// Cheap refusal, by the corners alone: entirely beyond a face of the other body, or everywhere nearer to a face that it cannot press on.
+/// Cheap refusal, by the nodes alone: entirely beyond a face of the other body, or everywhere nearer to a face that it cannot press on.
 BRICK_INLINE bool FacePair::canTouch()
 {
-	lowest                    = lesser(lesser(cornerHeight(0), cornerHeight(1)), lesser(cornerHeight(2), cornerHeight(3)));
+	lowest = lesser(lesser(cornerHeight(0), cornerHeight(1)), lesser(cornerHeight(2), cornerHeight(3)));
+	if (view.ownerCells) {
+		if (bitsOf(lowest + view.lowestLift >= view.highestBulge)) return false;
+		lookAtNodes();
+	}
 	const Lanes greatestDepth = view.highestBulge - lowest;
 	if (bitsOf(greatestDepth <= 0)) return false;
 
-	highest                = greater(greater(cornerHeight(0), cornerHeight(1)), greater(cornerHeight(2), cornerHeight(3)));
+	if (!view.ownerCells) highest = greater(greater(cornerHeight(0), cornerHeight(1)), greater(cornerHeight(2), cornerHeight(3)));
 	const Vector3r n       = view.turn * view.owner.solid->faces[face].normal;
 	const Lanes    cosines = -(view.normal[0] * n[0] + view.normal[1] * n[1] + view.normal[2] * n[2]), none = allLanes(unbounded);
 	const Mask     pressed = cosines > 0;
@@ -145,27 +222,72 @@ BRICK_INLINE bool FacePair::canTouch()
 	count               = 0;
 	for (int f = 0; f < faceCount; ++f)
 		if (meet >> f & 1) faces[count++] = f;
-	rows    = nearOverlap(0, 3, 1, 2);
-	columns = nearOverlap(0, 1, 3, 2);
+	if (view.ownerCells) findRanges();
+	else
+		rows = nearOverlap(0, 3, 1, 2), columns = nearOverlap(0, 1, 3, 2);
 	return !rows.empty() && !columns.empty();
 }
 
 /// Rows (or columns) of which neither end is beyond a face of the other body, by two edges of the owner's face that run across them.
 BRICK_INLINE Range FacePair::nearOverlap(int from0, int to0, int from1, int to1) const
 {
-	Lanes       begin = allLanes(2.), end = allLanes(-1.);
-	const Lanes zero = allLanes(0.), one = allLanes(1.);
-	const int   edges[2][2] = { { from0, to0 }, { from1, to1 } };
-	for (const auto& edge : edges) {
-		const Lanes from = cornerHeight(edge[0]) - view.highestBulge, to = cornerHeight(edge[1]) - view.highestBulge,
-		            crossing = from / (from - to);
-		begin                = lesser(begin, from < 0 ? zero : to < 0 ? crossing : allLanes(2.));
-		end                  = greater(end, to < 0 ? one : from < 0 ? crossing : allLanes(-1.));
-	}
-	const Real first = mostOf(begin) * segments, last = leastOf(end) * segments;
+	Reach reach;
+	reach.add(cornerHeight(from0) - view.highestBulge, cornerHeight(to0) - view.highestBulge);
+	reach.add(cornerHeight(from1) - view.highestBulge, cornerHeight(to1) - view.highestBulge);
+	return segmentsIn(reach);
+}
+
+/// @param from, to heights of the ends of an edge over what they must not be beyond
+BRICK_INLINE void FacePair::Reach::add(const Lanes& from, const Lanes& to)
+{
+	const Lanes crossing = from / (from - to);
+	begin                = lesser(begin, from < 0 ? allLanes(0.) : to < 0 ? crossing : allLanes(unbounded));
+	end                  = greater(end, to < 0 ? allLanes(1.) : from < 0 ? crossing : allLanes(-unbounded));
+}
+
+BRICK_INLINE Range FacePair::segmentsIn(const Reach& reach) const
+{
+	const Real first = mostOf(reach.begin) * segments, last = leastOf(reach.end) * segments;
 	if (!(first < last)) return { 0, 0 };
 	constexpr Real roundOff = 1e-9; // a segment more costs less than a sliver lost
 	return { std::max(0, int(first - roundOff)), std::min(segments, 1 + int(last + roundOff)) };
+}
+
+/// Heights of all nodes of a refined owner's face.
+void FacePair::lookAtNodes()
+{
+	const SurfaceGrid& grid = *view.ownerCells;
+	const auto         rest = [this](int corner) { return Vector3r(Eigen::Map<const Vector3r>(view.corners[faceNodes[face][corner]])); };
+	const Vector3r     x[4] = { rest(0), rest(1), rest(2), rest(3) };
+	const Real         n    = grid.cells();
+	lowest = allLanes(unbounded), highest = allLanes(-unbounded);
+	for (int row = 0; row <= grid.cells(); ++row) {
+		const Vector3r left = x[0] + row / n * (x[3] - x[0]), right = x[1] + row / n * (x[2] - x[1]);
+		for (int column = 0; column <= grid.cells(); ++column) {
+			const Vector3r& u = view.owner.placement.displacement[grid.faceNode(face, column, row)];
+			const Lanes     h = view.heightsOf(left + column / n * (right - left) + view.turn * u);
+			lowest = lesser(lowest, h), highest = greater(highest, h), nodeHeights[row][column] = h;
+		}
+	}
+}
+
+/// As nearOverlap, by the edges of all cells.
+void FacePair::findRanges()
+{
+	const int  n = view.ownerCells->cells();
+	const Real part = 1. / n;
+	Reach      across, along;
+	const auto add = [&](Reach& reach, int cell, const Lanes& from, const Lanes& to) {
+		Reach piece;
+		piece.add(from - view.highestBulge, to - view.highestBulge);
+		reach.begin = lesser(reach.begin, (piece.begin + Real(cell)) * part), reach.end = greater(reach.end, (piece.end + Real(cell)) * part);
+	};
+	for (int cell = 0; cell < n; ++cell)
+		for (int line = 0; line <= n; ++line) {
+			add(across, cell, nodeHeights[cell][line], nodeHeights[cell + 1][line]);
+			add(along, cell, nodeHeights[line][cell], nodeHeights[line][cell + 1]);
+		}
+	rows = segmentsIn(across), columns = segmentsIn(along);
 }
 
 BRICK_INLINE void FacePair::prepareFields()
@@ -227,17 +349,23 @@ BRICK_INLINE void Vertices::fill(const FacePair& pair, int first)
 BRICK_INLINE void Vertices::fillLanes(const FacePair& pair, int first)
 {
 	const Lanes u = loadLanes(xi + first), v = loadLanes(eta + first);
+	const bool  refined = pair.view.ownerCells;
 	Lanes       x[3];
+	Vectors     moved; // of a refined owner: from rest
+	if (refined) pair.view.displacementAt(pair.face, u, v, moved);
 	for (int i = 0; i < 3; ++i) {
 		x[i] = pair.place[i].at(u, v);
+		if (refined) x[i] += moved[i];
 		storeLanes(place[i] + first, x[i]);
 	}
 	for (int k = 0; k < pair.count; ++k) {
-		Lanes h = pair.height[k].at(u, v);
+		const Face& face = pair.view.other.solid->faces[pair.faces[k]];
+		Lanes       h    = pair.height[k].at(u, v);
+		if (refined) h += dot(moved, face.normal);
 		if (pair.bulging >> pair.faces[k] & 1) {
 			Lanes p, q;
-			coordinatesOn(pair.view.other.solid->faces[pair.faces[k]], x, p, q);
-			h -= pair.view.bulge[pair.faces[k]].at(p, q);
+			coordinatesOn(face, x, p, q);
+			h -= pair.view.bulgeAt(pair.faces[k], p, q);
 		}
 		storeLanes(height[k] + first, h);
 	}
