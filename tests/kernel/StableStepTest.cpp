@@ -489,19 +489,17 @@ TEST(StableStepTest, refined_brick_of_more_cells_has_a_bound_above_its_true_limi
 	struct {
 		Nodes corners;
 		Real  all, one, three; // as measured, to the next percent
-	} const rows[] = { { plainCube, 1.11, 1.41, 1.31 }, { flat, 1.40, 1.72, 1.49 }, { voussoir(), 1.24, 1.30, 1.24 } };
-	for (const auto& row : rows)
-		for (Inner layout : { Inner::Inset, Inner::FullSize }) {
-			Standing   brick(row.corners, 5, layout, allFaces);
-			const auto check = [&](const std::vector<int>& faces, Real most) {
-				brick.stand(faces);
-				const Real ratio = brick.overTruth();
-				EXPECT_GE(ratio, 1 - roundOff);
-				EXPECT_LE(ratio, most) << faces.size();
-				report("refined, faces " + std::to_string(faces.size()) + ", edge", (row.corners[1] - row.corners[0]).norm(), ratio, 1);
-			};
-			check(allFaces, row.all), check({ 5 }, row.one), check({ 0, 2, 4 }, row.three);
-		}
+	} const rows[] = { { plainCube, 1.10, 1.41, 1.08 }, { flat, 1.39, 1.72, 1.42 }, { voussoir(), 1.23, 1.29, 1.12 } };
+	for (const auto& row : rows) {
+		Standing   brick(row.corners, 5, Inner::Inset, allFaces);
+		const auto check = [&](const std::vector<int>& faces, Real most) {
+			brick.stand(faces);
+			const Real ratio = brick.overTruth();
+			EXPECT_GE(ratio, 1 - roundOff);
+			EXPECT_LE(ratio, most) << faces.size();
+		};
+		check(allFaces, row.all), check({ 5 }, row.one), check({ 0, 2, 4 }, row.three);
+	}
 }
 
 TEST(StableStepTest, refined_bricks_own_inertia_counts)

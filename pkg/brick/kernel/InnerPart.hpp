@@ -20,8 +20,8 @@ struct InnerPartType {
 	int         cells = 1; ///< elements along each edge, 1 to largestCells; used by Refined only
 };
 
-/// Memory of a refined part, once for all bricks of the type: three times its shapes (in `modes` and twice in `columns`), of 3 S (3 S - 6) numbers, S = 6 n^2 + 2:
-/// 0.13 MB with n = 2, 2 MB with n = 4, 32 MB with n = 8. A step reads `columns` alone; `modes.shapes` serves set-up and study (StableStep.hpp, Assembly.hpp).
+/// Memory of a refined part, once for all bricks of the type: three times its shapes (in `modes` and twice in `columns`), each 3 S (3 S - 6) numbers with
+/// S = 6 n^2 + 2: 0.13 MB for n = 2, 2 MB for n = 4, 32 MB for n = 8. A step reads `columns` alone; `modes.shapes` serves StableStep.hpp and Assembly.hpp.
 struct InnerPart {
 	int                                    cells; ///< n along each edge of the surface: surfaceGrid(cells) numbers the nodes; 1 unless refined
 	std::vector<Vector3r>                  nodes; ///< of the surface at rest, body axes [m]; first the eight corners
@@ -36,7 +36,7 @@ struct InnerPart {
 	/// @throws std::invalid_argument as insetCorners, stiffness and, if refined, condense do
 	explicit InnerPart(const InnerPartType&);
 
-	/// Volume average of the stress [Pa], order xx yy zz xy yz zx: that of centreStress, of a refined part the average over its elements. Never throws or allocates.
+	/// Volume average of the stress [Pa], order xx yy zz xy yz zx: centreStress, or the average over a refined part's elements. Never throws or allocates.
 	/// @param u displacements of the nodes [m], x0 y0 z0 x1 ...
 	Vector6r meanStress(const Eigen::Ref<const VectorX>& u) const { return stressOf.lazyProduct(u); }
 

@@ -21,14 +21,17 @@ namespace {
 		return springs.shear * Matrix3r::Identity() + (springs.normal - springs.shear) * normal * normal.transpose();
 	}
 
-	/// The first face of the largest share, whatever the rounding.
+	/// Whatever the rounding.
+	bool isMore(Real a, Real b) { return a > 1.001 * b; }
+
+	/// The first face of the largest share.
 	template <class Share> int faceOfMost(Share share)
 	{
 		Real most = 0;
 		int  face = 0;
 		for (int f = 0; f < faceCount; ++f) {
 			const Real own = share(f);
-			if (own > 1.001 * most) most = own, face = f;
+			if (isMore(own, most)) most = own, face = f;
 		}
 		return face;
 	}
@@ -180,7 +183,7 @@ namespace {
 		return y;
 	}
 
-	/// The largest ratio of product(x) to M_s x is a bound with any positive x: with product(x) in place of x it does not grow, and falls to the least that there is.
+	/// The largest ratio of product(x) to M_s x is a bound for any positive x; it does not grow when product(x) takes the place of M_s x.
 	template <class Product> RefinedBrick::Weighted RefinedBrick::iterate(Product product) const
 	{
 		constexpr int  mostIterations = 100;
@@ -203,12 +206,13 @@ namespace {
 		std::array<Real, faceCount> stiffness;
 		for (int f = 0; f < faceCount; ++f)
 			stiffness[f] = D[f].row(axis).cwiseAbs().sum();
-		Weighted best  = iterate([&](const VectorX& x) {
-                        VectorX y = VectorX::Zero(size());
-                        for (int f = 0; f < faceCount; ++f)
-                                y += stiffness[f] * areasTimes(f, x);
-                        return y;
-                });
+		const auto product = [&](const VectorX& x) {
+			VectorX y = VectorX::Zero(size());
+			for (int f = 0; f < faceCount; ++f)
+				y += stiffness[f] * areasTimes(f, x);
+			return y;
+		};
+		Weighted best  = iterate(product);
 		best.stiffness = stiffness;
 		return best;
 	}
@@ -258,15 +262,17 @@ namespace {
 
 	FastestMotion RefinedBrick::bound() const
 	{
-		Weighted best = byDirection(0);
+		Weighted fastest      = byDirection(0);
+		Real     omegaSquared = fastest.omegaSquared;
 		for (int axis : { 1, 2 }) {
-			Weighted other = byDirection(axis);
-			if (other.omegaSquared > best.omegaSquared) best = std::move(other);
+			const Weighted other = byDirection(axis);
+			omegaSquared         = std::max(omegaSquared, other.omegaSquared);
+			if (isMore(other.omegaSquared, fastest.omegaSquared)) fastest = other;
 		}
 		const Weighted other = byNode();
-		if (other.omegaSquared < best.omegaSquared) best = other;
-		const int face = faceOfMost([&](int f) { return best.stiffness[f] * best.weights.dot(areasTimes(f, best.weights)); });
-		return { best.omegaSquared + rigidExcess(), face };
+		if (isMore(omegaSquared, other.omegaSquared)) fastest = other;
+		const int face = faceOfMost([&](int f) { return fastest.stiffness[f] * fastest.weights.dot(areasTimes(f, fastest.weights)); });
+		return { std::min(omegaSquared, other.omegaSquared) + rigidExcess(), face };
 	}
 
 	/// The largest eigenvalue of  Y^T K Y,  Y the displacements of the nodes by the unit of each mass-scaled degree of freedom.

@@ -8,19 +8,19 @@
 // InnerMotion.hpp for why their own stiffness does not count.
 // The paper's eq. (15) is unsafe by up to 1.32 for rigid walls, and far off for the deformable model.
 //
-// A refined brick of n cells along an edge has 3 S = 18 n^2 + 6 degrees of freedom: Y = (R J^-1/2, phi), R the rigid motions of the nodes on its outer surface, J the
-// brick's mass and inertia, phi the modes. omega^2 = lambda(Y^T K Y), the largest eigenvalue, with K the springs on the nodes:  sum over faces and cells of
-// D  integral of N N^T dA ,  D = ks 1 + (kn - ks) n n^T . It is solved for as it stands up to n = 4 (in 0.4, 2 and 20 ms with n = 2, 3, 4); n = 8 would take a second
-// or more. Beyond, it is bounded from above, in 1 ms (10 when faces are oblique):
-//   - Y Y^T = M_c^-1 + E, E = R J^-1 R^T - R_i J_i^-1 R_i^T: the brick's own inertia instead of J_i, the condensed part's with rigid motions R_i of its own nodes;
-//     M_c^-1 <= M_s^-1 (CondensedPart.hpp). So  omega^2 <= lambda(M_s^-1 K) + lambda(E K) ; the latter has rank 12 and is solved.
-//   - lambda(M_s^-1 K): D has at most the energy of the diagonal matrix of the sums of magnitudes of its rows (the same, if the faces are along the body axes). That
-//     takes K apart into a nonnegative matrix for each axis, and with any positive x  lambda <= max (K x)_a / (m_a x_a)  (Collatz, Wielandt).
-//   - or, D kept: since 2 u.D v <= t u.D u + v.D v / t , also  lambda <= max over nodes of lambda(sum over faces of D (A x)_a) / (m_a x_a) , A = integral of N N^T.
-//     The smaller of both is taken; iterating, as for an eigenvector, brings x close to the best one.
-// Bound over truth, n = 5, 6, 8, all faces on equal springs, kn/ks = 8/3 (steps are too short by its root):
-//     cube 1.11, 1.10, 1.09      brick 0.25 x 0.12 x 0.06 m 1.39, 1.42, 1.45      voussoir 1.23, 1.21, 1.20
-// springs on one face or two opposite ones: up to 1.42, 1.78, 1.52. What is lost is the mass of the inside that follows the surface, M_c - M_s.
+// A refined brick of n cells along an edge has 3 S = 18 n^2 + 6 degrees of freedom, which move its surface nodes by Y = (R J^-1/2, phi): R rigid motions of the
+// brick's outer surface, J its mass and inertia, phi the modes. omega^2 = lambda(Y^T K Y), the largest eigenvalue, with K the springs on the nodes:
+//     sum over faces and cells of  D A ,   D = ks 1 + (kn - ks) n n^T ,   A = integral of N N^T dA .
+// Up to n = 4 it is solved for as it stands (in 0.4, 2 and 20 ms with n = 2, 3, 4); n = 8 would take a second or more. Beyond, it is bounded, in 1 to 3 ms:
+//   - Y Y^T = M_c^-1 + E,  E = R J^-1 R^T - R_i J_i^-1 R_i^T : the brick's own inertia in place of J_i, which the condensed part has, R_i rigid motions of its
+//     nodes; and M_c^-1 <= M_s^-1 (CondensedPart.hpp). So  omega^2 <= lambda(M_s^-1 K) + lambda(E K) . The latter, of rank 12, is solved for.
+//   - lambda(M_s^-1 K): D stores no more than the diagonal matrix of its rows' sums of magnitudes, and the same if the faces are along the axes. That takes K
+//     apart into a nonnegative matrix for each axis, and for any positive x  lambda <= max (K x)_a / (m_a x_a) .                     [Collatz, Wielandt]
+//   - Or D as it is: since  2 u.D v <= t u.D u + v.D v / t ,  lambda <= max over the nodes of  lambda(sum over faces of D (A x)_a) / (m_a x_a) .
+//     The smaller one is taken. Iterating, as for an eigenvector, brings x close to the best.
+// Bound over truth for n = 5, 6, 8, all faces on equal springs, kn/ks = 8/3 (the step is too short by its root):
+//     cube 1.10, 1.09, 1.07      brick 0.25 x 0.12 x 0.06 m 1.38, 1.41, 1.43      voussoir 1.22, 1.21, 1.20
+// springs on one face or two opposite ones: up to 1.42, 1.78, 1.51. What is lost is the mass of the inside that follows the surface, M_c - M_s.
 #pragma once
 
 #include "Hexahedron.hpp"

@@ -43,7 +43,7 @@ constexpr int faceNodes[faceCount][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1
 /// Signs of a node's natural coordinates (xi, eta, zeta).
 constexpr int nodeSigns[nodeCount][3] = { { -1, -1, -1 }, { 1, -1, -1 }, { 1, 1, -1 }, { -1, 1, -1 }, { -1, -1, 1 }, { 1, -1, 1 }, { 1, 1, 1 }, { -1, 1, 1 } };
 
-/// How much of a brick's deformation is followed: none, six uniform strains, all eighteen deformations of one hexahedron, or all of the surface of n x n x n.
+/// How much of a brick's deformation is followed: none; six uniform strains; all eighteen of one hexahedron; all that the surface of n x n x n can have.
 enum class Deformation { Rigid, Uniform, Trilinear, Refined };
 
 /// How the stiffness of the inner hexahedron is integrated.
