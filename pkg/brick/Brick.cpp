@@ -10,6 +10,7 @@
 #include "kernel/Contact.hpp"
 #include "kernel/InnerMotion.hpp"
 #include "kernel/Message.hpp"
+#include "kernel/Stiffness.hpp"
 
 #include <map>
 
