@@ -34,9 +34,9 @@ struct View {
 	void displacementAt(int face, const Lanes& xi, const Lanes& eta, Vectors& out) const;
 
 	const Side &       owner, &other;
-	const SurfaceGrid *ownerCells, *otherCells; ///< null where fields are bilinear over a whole face
-	Matrix3r           turn;                    ///< owner's axes to the other body's
-	Real               corners[nodeCount][3];   ///< of a refined owner: at rest
+	const SurfaceGrid *ownerCells, *otherCells;  ///< null where fields are bilinear over a whole face
+	Matrix3r           turn;                     ///< owner's axes to the other body's
+	Real               corners[nodeCount][3];    ///< of a refined owner: at rest
 	Lanes              cornerHeights[nodeCount]; ///< over the mean planes of the faces
 	Lanes              normal[3], meanOffset;
 	Lanes              highestBulge, lowestBulge; ///< of each face over its mean plane
@@ -161,7 +161,7 @@ struct FacePair {
 	unsigned      bulging;         ///< faces of the other body whose bulging matters, a bit each
 	int           count;           ///< of the faces of the other body that cut the owner's or could be the nearest:
 	int           faces[faceCount];
-	BilinearField place[3], height[faceCount]; ///< of the owner's face, of a refined owner at rest; heights over `faces`
+	BilinearField place[3], height[faceCount];                     ///< of the owner's face, of a refined owner at rest; heights over `faces`
 	Lanes         nodeHeights[largestCells + 1][largestCells + 1]; ///< only of refined owners: over the mean planes, row by row
 
 	BRICK_INLINE FacePair(const View& view, int ownerIndex, int face, Real weight)
@@ -189,7 +189,7 @@ private:
 		}
 		BRICK_INLINE void add(const Lanes& from, const Lanes& to);
 	};
-	BRICK_INLINE Range            segmentsIn(const Reach&) const;
+	BRICK_INLINE Range             segmentsIn(const Reach&) const;
 	__attribute__((noinline)) void lookAtNodes();
 	__attribute__((noinline)) void findRanges();
 };
@@ -274,7 +274,7 @@ void FacePair::lookAtNodes()
 /// As nearOverlap, by the edges of all cells.
 void FacePair::findRanges()
 {
-	const int  n = view.ownerCells->cells();
+	const int  n    = view.ownerCells->cells();
 	const Real part = 1. / n;
 	Reach      across, along;
 	const auto add = [&](Reach& reach, int cell, const Lanes& from, const Lanes& to) {
