@@ -369,8 +369,10 @@ TEST(ContactSearchTest, spots_at_a_dented_edge_are_those_of_the_plain_search)
 			Body lower = Body::cube({ 0, 0, 0 }, n),
 			     upper = Body::cuboid({ .1, .1, .1 }, { edge / 2 - inwards - half, .03, edge / 2 + half - 1e-5 }, 8);
 			upper.move({ 0, tilt, 0 }, { 0, 0, 0 }, upper.placement.position);
-			lower.deformable                                    = true, lower.refine(n);
-			const Real whole                                    = volumeOf(spotsOf(lower, upper));
+			lower.deformable = true;
+			lower.refine(n);
+			const Real whole = volumeOf(spotsOf(lower, upper));
+
 			lower.surface[surfaceGrid(n).faceNode(1, n / 2, n)] = -1e-4 * Vector3r::UnitX(); // in the middle of the upper edge
 			EXPECT_GT(expectPlainSpots(lower, upper, warped), 30);
 			EXPECT_LT(volumeOf(spotsOf(lower, upper)), whole * (1 - 5e-5)); // of a strip as wide as the mean dent, a hundred-thousandth of the edge
@@ -443,7 +445,7 @@ TEST(ContactSearchTest, a_bulging_node_is_as_deep_and_as_wide_as_it_stands_out)
 			for (const auto& spot : spotsOf(pair[0], pair[1])) {
 				if (spot.owner != swapped) continue;
 				++tips;
-				EXPECT_NEAR(spot.penetration, b / 6, 1e-15); // of a pyramid's three corners, at b / 2, 0, 0; places round to 1e-16 m
+				EXPECT_NEAR(spot.penetration, b / 6, 1e-15); // mean of a triangle's corners, at b / 2, 0, 0; places round to 1e-16 m
 				EXPECT_NEAR(spot.area, (edge / n / 2) * (edge / n / 2) / 4, 1e-8 * edge * edge); // half its weight; the slope is up to 2e-4
 				EXPECT_LE(std::abs(spot.ownerNatural[0] - (2. / n - 1)), 2. / n / 6 + 1e-9);
 				EXPECT_LE(std::abs(spot.ownerNatural[1] - (2. / n - 1)), 2. / n / 6 + 1e-9);

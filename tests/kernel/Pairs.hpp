@@ -140,7 +140,8 @@ inline JointMotion motionOf(const Joint& joint, const Body& first, const Body& s
 }
 
 /// One step of a joint as it is placed.
-inline Failures stepJoint(Joint& joint, const PairSprings& springs, const Body& first, const Body& second, std::array<Loads, 2>& loads, PairSummary& sum)
+inline Failures
+stepJoint(Joint& joint, const PairSprings& springs, const Body& first, const Body& second, std::array<Loads, 2>& loads, PairSummary& sum)
 {
 	const JointMotion   motion = motionOf(joint, first, second);
 	const CornerVectors rate   = openingRate(joint, motion, first.side().placement, second.side().placement);
