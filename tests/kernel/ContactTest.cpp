@@ -581,9 +581,9 @@ TEST(ContactTest, friction_opposes_sliding_in_any_direction_on_turned_bricks)
 
 TEST(ContactTest, energy_is_that_of_the_springs)
 {
-	Pair p = Pair::stacked();
+	Pair p                      = Pair::stacked();
 	p.second.placement.velocity = { .01, 0, 0 };
-	const Real slip             = 1e-8, dt = slip / .01; // small, so that it sticks
+	const Real slip = 1e-8, dt = slip / .01; // small, so that it sticks
 	p.step(dt);
 	const Real energy = contactEnergy(p.first.side(), p.second.side(), p.spots, p.springs, p.memory);
 	EXPECT_NEAR(energy, edge * edge / 2 * (kn * depth * depth + ks * slip * slip), 1e-10 * energy);
@@ -848,7 +848,8 @@ TEST(ContactTest, nodes_of_refined_bodies_share_the_force_and_its_moment)
 TEST(ContactTest, forces_on_a_refined_body_reach_the_cell_where_it_is_pressed_alone)
 {
 	for (int n : { 2, 4, 8 }) {
-		Pair p(Body::cube({ 0, 0, 0 }, 8), Body::cuboid({ edge / n, edge / n, edge }, { edge / 2 - edge / n / 2, edge / n / 2 - edge / 2, edge - depth }));
+		Pair p(Body::cube({ 0, 0, 0 }, 8),
+		       Body::cuboid({ edge / n, edge / n, edge }, { edge / 2 - edge / n / 2, edge / n / 2 - edge / 2, edge - depth }));
 		p.first.deformable = true, p.first.refine(n);
 		p.turnAll({ .3, -1.2, .8 }, { .3, .1, -.2 });
 		const auto a    = p.step();
@@ -870,15 +871,18 @@ TEST(ContactTest, rates_of_single_nodes_count_where_their_cells_are_pressed)
 	// the middle node of the bed moves: its hat has a quarter of the area, so dashpots brake by a quarter of what a moving bed would be braked by
 	for (bool upper : { false, true })
 		for (int n : { 2, 4 }) {
-			Pair p                  = Pair::stacked(8);
-			p.springs.normalDamping = .01;
-			Body& b                 = upper ? p.second : p.first;
-			b.deformable = true, b.refine(n);
-			const Real     speed  = .01 * (upper ? -1 : 1);
-			const Vector3r moving = speed * Vector3r::UnitZ();
+			Pair p                                                      = Pair::stacked(8);
+			p.springs.normalDamping                                     = .01;
+			Body& b                                                     = upper ? p.second : p.first;
+			b.deformable                                                = true, b.refine(n);
+			const Real     speed                                        = .01 * (upper ? -1 : 1);
+			const Vector3r moving                                       = speed * Vector3r::UnitZ();
 			b.surfaceRate[surfaceGrid(n).faceNode(upper ? 4 : 5, 1, 1)] = moving;
 			const Real braking = p.springs.at(.001, .001).normalDashpot * std::abs(speed) * (edge / n) * (edge / n);
-			EXPECT_NEAR(p.step().force()[2], weight + braking, 1e-9 * weight); // spots at the middles of segments have the hat's mean; depths keep 1e-11
+			EXPECT_NEAR(
+			        p.step().force()[2],
+			        weight + braking,
+			        1e-9 * weight); // spots at the middles of segments have the hat's mean; depths keep 1e-11
 		}
 }
 

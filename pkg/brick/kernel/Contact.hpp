@@ -9,6 +9,8 @@
 // Both bodies own spots, each with half its weight, so that the order of the bodies does not matter (a support owns none, and a brick's spots on it
 // count fully). The normal force of two flat faces is therefore the exact integral of penetration over their overlap for any number of segments, and
 // it grows from zero when an edge or a corner comes first.
+// Faces stand where their nodes are: the owner's segments are displaced with them, and the other's face bulges over its mean plane by the normal part of their
+// displacement; bilinear over the face, or over each of its cells where the body is refined (SurfaceGrid.hpp; each segment lies in one cell).
 //   sigma = kn penetration - cn vn >= 0,   tau from  tau' = -ks vt,  |tau| <= sigma tan(phi),  dashpot -cs vt within the same bound
 #pragma once
 
@@ -27,7 +29,7 @@ constexpr int largestSegments = 64;
 struct ContactSpot {
 	int          key; ///< of owner, the two faces and the segment: the same in every step; spots are sorted by it
 	std::uint8_t owner, ownerFace, otherFace;
-	Vector2r     ownerNatural, otherNatural; ///< coordinates on the faces
+	Vector2r     ownerNatural, otherNatural; ///< coordinates on the whole faces
 	Vector3r     position;                   ///< [m]
 	Real         penetration;                ///< [m]
 	Real         area;                       ///< footprint times weight [m2]
@@ -43,7 +45,7 @@ inline int contactKey(int owner, int ownerFace, int otherFace, int segment)
 }
 
 /// Spots of contact between two bodies; the vector is cleared first and only grows when it has to. Bodies between which a face plane passes are told apart
-/// by their corners alone.
+/// by their nodes alone.
 void findContact(const Side& side0, const Side& side1, std::vector<ContactSpot>& spots);
 
 /// Shear traction of each spot, carried from step to step: body axes of the owner, acting on the owner [Pa].
@@ -57,7 +59,8 @@ struct ContactMemory {
 /// Springs of a spot, by the contact lengths of the two faces.
 SpotSprings springsOf(const ContactSpot& spot, const Side& side0, const Side& side1, const PairSprings& pair);
 
-/// Forces of all spots on both bodies; `memory` is replaced by the present tractions, `scratch` is working space.
+/// Forces of all spots on both bodies; `memory` is replaced by the present tractions, `scratch` is working space. Nothing is allocated for loads that have had
+/// the sizes of the two surfaces before.
 void contactLoads(
         const Side&                     side0,
         const Side&                     side1,

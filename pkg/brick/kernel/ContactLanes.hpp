@@ -81,9 +81,9 @@ struct Run {
 
 /// Sums over a run; forces on the owner.
 struct RunSums {
-	Lanes force[3] {}, torque[3] {};           ///< about the other's position
-	Lanes onOwner[3][3] {}, onOther[3][3] {};  ///< moments of the force with xi, eta, xi eta of either face
-	Lanes area {}, pressed {}, place[3] {};    ///< sums of area, area times pressure, area times place
+	Lanes force[3] {}, torque[3] {};          ///< about the other's position
+	Lanes onOwner[3][3] {}, onOther[3][3] {}; ///< moments of the force with xi, eta, xi eta of either face
+	Lanes area {}, pressed {}, place[3] {};   ///< sums of area, area times pressure, area times place
 	Lanes deepest {};
 };
 
@@ -177,7 +177,7 @@ template <class Cells> BRICK_INLINE void addGroup(const Run& run, int first, Vec
 
 /// Both faces are single cells, whose nodal forces follow from the sums.
 struct WholeFaces {
-	BRICK_INLINE WholeFaces(const Run&, Loads&, Loads&) { }
+	BRICK_INLINE         WholeFaces(const Run&, Loads&, Loads&) { }
 	BRICK_INLINE Vectors relativeVelocity(const Run& run, const SpotLanes& s) const { return velocityBetween(run, s); }
 	BRICK_INLINE void    addForces(const Run&, const Vectors&, int) const { }
 };
@@ -243,7 +243,7 @@ void addNodal(Loads& loads, int face, const Vector3r& force, const Lanes (&momen
 		m[c] = { sumOf(moments[0][c]), sumOf(moments[1][c]), sumOf(moments[2][c]) };
 	for (int a = 0; a < 4; ++a) {
 		const Real     xi = a == 1 || a == 2 ? 1 : -1, eta = a >= 2 ? 1 : -1;
-		const Vector3r f  = sign / 4 * ((force + xi * m[0]) + (eta * m[1] + xi * eta * m[2]));
+		const Vector3r f = sign / 4 * ((force + xi * m[0]) + (eta * m[1] + xi * eta * m[2]));
 		loads.nodal[faceNodes[face][a]] += toBody ? Vector3r(toBody->transpose() * f) : f;
 	}
 }

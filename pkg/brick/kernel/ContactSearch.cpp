@@ -34,19 +34,15 @@ namespace {
 		}
 	};
 
-	/// Not above any point of the surface, along a direction in body axes.
-	Real lowestAlong(const Vector3r& direction, const Side& side)
+	/// Not above any point of a refined body, along a direction in body axes.
+	Real lowestAlong(const Vector3r& direction, const Side& side, const SurfaceGrid& grid)
 	{
-		const SurfaceGrid* grid   = cellsOf(side);
-		Real               lowest = unbounded, lift = 0;
-		for (int node = 0; node < nodeCount; ++node) {
-			const Vector3r corner = grid ? side.solid->corners[node] : Vector3r(side.solid->corners[node] + displacementOf(side.placement, node));
-			lowest                = std::min(lowest, direction.dot(corner));
-		}
-		if (grid) lift = unbounded;
-		for (int node = 0; grid && node < grid->size(); ++node)
+		Real atRest = unbounded, lift = unbounded;
+		for (const Vector3r& corner : side.solid->corners)
+			atRest = std::min(atRest, direction.dot(corner));
+		for (int node = 0; node < grid.size(); ++node)
 			lift = std::min(lift, direction.dot(side.placement.displacement[node]));
-		return lowest + lift;
+		return atRest + lift;
 	}
 
 	/// The face of `a` that the middle of `b` is farthest beyond has all of b's nodes outside: so most pairs that do not touch are told, at little cost.
@@ -68,7 +64,11 @@ namespace {
 				highest = std::max(highest, face.normal.dot(a.placement.displacement[node]));
 		}
 		const Vector3r normal = b.placement.rotation.transpose() * (a.placement.rotation * face.normal);
-		return height + lowestAlong(normal, b) >= highest;
+		if (const SurfaceGrid* grid = cellsOf(b)) return height + lowestAlong(normal, b, *grid) >= highest;
+		Real lowest = unbounded;
+		for (int node = 0; node < nodeCount; ++node)
+			lowest = std::min(lowest, normal.dot(b.solid->corners[node] + displacementOf(b.placement, node)));
+		return height + lowest >= highest;
 	}
 
 } // namespace

@@ -34,9 +34,9 @@ struct View {
 	void displacementAt(int face, const Lanes& xi, const Lanes& eta, Vectors& out) const;
 
 	const Side &       owner, &other;
-	const SurfaceGrid *ownerCells, *otherCells; ///< null where fields are bilinear over a whole face
-	Matrix3r           turn;                    ///< owner's axes to the other body's
-	Real               corners[nodeCount][3];   ///< of a refined owner: at rest
+	const SurfaceGrid *ownerCells, *otherCells;  ///< null where fields are bilinear over a whole face
+	Matrix3r           turn;                     ///< owner's axes to the other body's
+	Real               corners[nodeCount][3];    ///< of a refined owner: at rest
 	Lanes              cornerHeights[nodeCount]; ///< over the mean planes of the faces
 	Lanes              normal[3], meanOffset;
 	Lanes              highestBulge, lowestBulge; ///< of each face over its mean plane
@@ -161,7 +161,7 @@ struct FacePair {
 	unsigned      bulging;         ///< faces of the other body whose bulging matters, a bit each
 	int           count;           ///< of the faces of the other body that cut the owner's or could be the nearest:
 	int           faces[faceCount];
-	BilinearField place[3], height[faceCount]; ///< of the owner's face, of a refined owner at rest; heights over `faces`
+	BilinearField place[3], height[faceCount];                     ///< of the owner's face, of a refined owner at rest; heights over `faces`
 	Lanes         nodeHeights[largestCells + 1][largestCells + 1]; ///< only of refined owners: over the mean planes, row by row
 
 	BRICK_INLINE FacePair(const View& view, int ownerIndex, int face, Real weight)
@@ -189,7 +189,7 @@ private:
 		}
 		BRICK_INLINE void add(const Lanes& from, const Lanes& to);
 	};
-	BRICK_INLINE Range            segmentsIn(const Reach&) const;
+	BRICK_INLINE Range             segmentsIn(const Reach&) const;
 	__attribute__((noinline)) void lookAtNodes();
 	__attribute__((noinline)) void findRanges();
 };
@@ -274,7 +274,7 @@ void FacePair::lookAtNodes()
 /// As nearOverlap, by the edges of all cells.
 void FacePair::findRanges()
 {
-	const int  n = view.ownerCells->cells();
+	const int  n    = view.ownerCells->cells();
 	const Real part = 1. / n;
 	Reach      across, along;
 	const auto add = [&](Reach& reach, int cell, const Lanes& from, const Lanes& to) {
@@ -312,9 +312,10 @@ struct Vertices {
 	int  segment[readable]; ///< that starts at a vertex, or none
 	Real xi[readable], eta[readable], place[3][readable], height[faceCount][readable];
 
-	BRICK_INLINE void  fill(const FacePair&, int firstRow);
-	BRICK_INLINE void  fillLanes(const FacePair&, int first);
-	BRICK_INLINE Lanes lowest(const Real* values, int first) const
+	BRICK_INLINE void                         fill(const FacePair&, int firstRow);
+	template <bool refined> BRICK_INLINE void fillLanes(const FacePair&, int first);
+	__attribute__((noinline)) void            fillRefined(const FacePair&, int count);
+	BRICK_INLINE Lanes                        lowest(const Real* values, int first) const
 	{
 		return lesser(
 		        lesser(loadLanes(values + first), loadLanes(values + first + 1)),
@@ -342,30 +343,41 @@ BRICK_INLINE void Vertices::fill(const FacePair& pair, int first)
 	const int count = i;
 	for (; i < count + lanes; ++i)
 		xi[i] = eta[i] = 0;
+	if (pair.view.ownerCells || pair.view.otherCells) {
+		fillRefined(pair, count);
+		return;
+	}
 	for (i = 0; i < count; i += lanes)
-		fillLanes(pair, i);
+		fillLanes<false>(pair, i);
 }
 
-BRICK_INLINE void Vertices::fillLanes(const FacePair& pair, int first)
+/// Apart, so that the loop above keeps its registers.
+void Vertices::fillRefined(const FacePair& pair, int count)
+{
+	for (int i = 0; i < count; i += lanes)
+		fillLanes<true>(pair, i);
+}
+
+template <bool refined> BRICK_INLINE void Vertices::fillLanes(const FacePair& pair, int first)
 {
 	const Lanes u = loadLanes(xi + first), v = loadLanes(eta + first);
-	const bool  refined = pair.view.ownerCells;
+	const bool  moves = refined && pair.view.ownerCells;
 	Lanes       x[3];
 	Vectors     moved; // of a refined owner: from rest
-	if (refined) pair.view.displacementAt(pair.face, u, v, moved);
+	if (moves) pair.view.displacementAt(pair.face, u, v, moved);
 	for (int i = 0; i < 3; ++i) {
 		x[i] = pair.place[i].at(u, v);
-		if (refined) x[i] += moved[i];
+		if (moves) x[i] += moved[i];
 		storeLanes(place[i] + first, x[i]);
 	}
 	for (int k = 0; k < pair.count; ++k) {
 		const Face& face = pair.view.other.solid->faces[pair.faces[k]];
 		Lanes       h    = pair.height[k].at(u, v);
-		if (refined) h += dot(moved, face.normal);
+		if (moves) h += dot(moved, face.normal);
 		if (pair.bulging >> pair.faces[k] & 1) {
 			Lanes p, q;
 			coordinatesOn(face, x, p, q);
-			h -= pair.view.bulgeAt(pair.faces[k], p, q);
+			h -= refined ? pair.view.bulgeAt(pair.faces[k], p, q) : pair.view.bulge[pair.faces[k]].at(p, q);
 		}
 		storeLanes(height[k] + first, h);
 	}
