@@ -20,7 +20,16 @@ YADE_PLUGIN((Brick)(Bo1_Brick_Aabb));
 
 namespace {
 
-	template <class Value> Value fromName(const char* attribute, const string& name, std::initializer_list<std::pair<const char*, Value>> known)
+	template <class Value> using Names = std::vector<std::pair<const char*, Value>>;
+
+	const Names<brick::Deformation> deformations { { "rigid", brick::Deformation::Rigid },
+		                                       { "uniform", brick::Deformation::Uniform },
+		                                       { "trilinear", brick::Deformation::Trilinear },
+		                                       { "refined", brick::Deformation::Refined } };
+	const Names<brick::Element> elements { { "full", brick::Element::Full }, { "incompatible", brick::Element::Incompatible }, { "bbar", brick::Element::Bbar } };
+	const Names<brick::Inner>   inners { { "inset", brick::Inner::Inset }, { "full", brick::Inner::FullSize } };
+
+	template <class Value> Value fromName(const char* attribute, const string& name, const Names<Value>& known)
 	{
 		string allowed;
 		for (const auto& item : known) {
@@ -30,23 +39,16 @@ namespace {
 		throw std::invalid_argument(string("Brick.") + attribute + ": '" + name + "' is not known; allowed are " + allowed);
 	}
 
-	brick::Deformation deformationOf(const string& name)
+	template <class Value> const char* nameOf(Value value, const Names<Value>& known)
 	{
-		return fromName<brick::Deformation>(
-		        "deformation",
-		        name,
-		        { { "rigid", brick::Deformation::Rigid }, { "uniform", brick::Deformation::Uniform }, { "trilinear", brick::Deformation::Trilinear }, { "refined", brick::Deformation::Refined } });
+		return std::find_if(known.begin(), known.end(), [value](const auto& item) { return item.second == value; })->first;
 	}
-	brick::Element elementOf(const string& name)
+
+	string textOf(const brick::InnerPartType& type)
 	{
-		return fromName<brick::Element>(
-		        "element",
-		        name,
-		        { { "full", brick::Element::Full }, { "incompatible", brick::Element::Incompatible }, { "bbar", brick::Element::Bbar } });
-	}
-	brick::Inner innerOf(const string& name)
-	{
-		return fromName<brick::Inner>("inner", name, { { "inset", brick::Inner::Inset }, { "full", brick::Inner::FullSize } });
+		const auto* const level = nameOf(type.deformation, deformations);
+		return brick::message(
+		        level, ", ", nameOf(type.element, elements), ", ", nameOf(type.inner, inners), ", r = ", type.thickness, ", cells = ", type.cells);
 	}
 
 	brick::Nodes nodesOf(const std::vector<Vector3r>& corners)
@@ -109,10 +111,6 @@ namespace {
 		return found;
 	}
 
-} // namespace
-
-namespace {
-
 	/// Room for the numbers of a brick's modes or nodes, a thread's own.
 	Real* workingSpace(int count)
 	{
@@ -131,89 +129,88 @@ namespace {
 
 } // namespace
 
-void Brick::postLoad(Brick&)
+Brick::Checked Brick::checkedAttributes() const
 {
-	level = deformationOf(deformation);
-	elementOf(element);
-	innerOf(inner);
+	const Checked found {
+		fromName("deformation", deformation, deformations), fromName("element", element, elements), fromName("inner", inner, inners), cells
+	};
 	if (segments < 1 || segments > brick::largestSegments)
 		throw std::invalid_argument("Brick.segments: " + std::to_string(segments) + "; allowed is 1 to " + std::to_string(brick::largestSegments));
-	if (level == brick::Deformation::Refined) checkCells();
-	keepDeformation();
-	// joints and contacts of the first step, before the material is known, must find a deformable brick
-	displacement.resize(isDeformable() ? surfaceNodes() : 0, Vector3r::Zero());
-	displacementRate.resize(displacement.size(), Vector3r::Zero());
-	inside.reset();
-	counted = false;
-	if (corners.empty()) return;
-
-	const brick::Nodes nodes = nodesOf(corners);
-	solid                    = sharedSolid(nodes);
-	checkPrincipalFrame(nodes);
-	if (level == brick::Deformation::Rigid) {
-		for (int f = 0; f < brick::faceCount; ++f)
-			contactLength[f] = solid->distance(f);
-	} else {
-		brick::insetCorners(*solid, contactThickness); // refuses a thickness that the brick cannot have, wherever the inner part ends
-		contactLength.fill(contactThickness);
-	}
-}
-
-/// What the inner part depends on besides corners and material.
-string Brick::innerAttributes() const
-{
-	return brick::message(deformation, ", ", element, ", ", inner, ", r = ", contactThickness, ", cells = ", surfaceCells());
-}
-
-void Brick::checkCells() const
-{
+	if (found.deformation != brick::Deformation::Refined) return found;
 	if (cells < 1 || cells > brick::largestCells)
 		throw std::invalid_argument(brick::message("Brick.cells: ", cells, "; allowed is 1 to ", brick::largestCells));
 	if (segments % cells != 0)
 		throw std::invalid_argument(
 		        brick::message("Brick.segments: ", segments, " segments with cells = ", cells, "; the segments of a refined brick must be a multiple of its cells"));
+	return found;
+}
+
+void Brick::postLoad(Brick&)
+{
+	const Checked found = checkedAttributes();
+	if (!corners.empty()) {
+		const brick::Nodes nodes = nodesOf(corners);
+		const auto         shape = sharedSolid(nodes);
+		checkPrincipalFrame(nodes);
+		// refuses a thickness that the brick cannot have, wherever the inner part ends
+		if (found.deformation != brick::Deformation::Rigid) brick::insetCorners(*shape, contactThickness);
+		keepDeformation(found, nodes);
+		solid = shape;
+		for (int f = 0; f < brick::faceCount; ++f)
+			contactLength[f] = found.deformation == brick::Deformation::Rigid ? solid->distance(f) : contactThickness;
+	}
+	checked = found;
+	counted = false;
+	// joints and contacts of the first step, before the material is known, must find a deformable brick
+	displacement.resize(isDeformable() ? surfaceNodes() : 0, Vector3r::Zero());
+}
+
+brick::InnerPartType Brick::innerPartType(const Checked& as, const brick::Nodes& nodes) const
+{
+	brick::InnerPartType type;
+	type.corners     = nodes;
+	type.deformation = as.deformation;
+	type.element     = as.element;
+	type.inner       = as.inner;
+	type.thickness   = contactThickness;
+	type.cells       = as.deformation == brick::Deformation::Refined ? as.cells : 1;
+	return type;
 }
 
 /// The amplitudes belong to the modes that they were made with: a brick that is deformed must keep these, one that is not may begin anew.
-void Brick::keepDeformation()
+void Brick::keepDeformation(const Checked& as, const brick::Nodes& nodes)
 {
-	if (insideAs.empty() || insideAs == innerAttributes()) return;
+	if (!inside) return;
+	const brick::InnerPartType wanted = innerPartType(as, nodes);
+	if (inside->type.hasShapeOf(wanted)) return;
 	for (const auto& u : displacement)
 		if (u != Vector3r::Zero())
 			throw std::invalid_argument(brick::message(
 			        "Brick: a brick that is deformed cannot change from (",
-			        insideAs,
+			        textOf(inside->type),
 			        ") to (",
-			        innerAttributes(),
-			        "); it could before its first step, or make a new one"));
+			        textOf(wanted),
+			        "), nor its corners; it could before its first step, or make a new one"));
 	amplitudes.clear(), rates.clear(), displacement.clear(), displacementRate.clear();
-	insideAs.clear();
+	inside.reset();
 }
 
 const brick::InnerPart* Brick::innerPart(const BrickMat& material)
 {
 	if (!isDeformable()) return nullptr;
 	if (isReady(material)) return inside.get();
-	brick::InnerPartType type;
-	type.corners     = nodesOf(corners);
-	type.deformation = deformationOf(deformation);
-	type.element     = elementOf(element);
-	type.inner       = innerOf(inner);
-	type.cells       = surfaceCells();
-	type.thickness   = contactThickness;
-	type.young       = material.young;
-	type.poisson     = material.poisson;
-	type.density     = material.density;
-	inside           = sharedInnerPart(type);
-	insideMaterial   = { material.young, material.poisson, material.density };
-	counted          = false;
-	insideAs         = innerAttributes();
+	brick::InnerPartType type = innerPartType(checked, solid->corners);
+	type.young                = material.young;
+	type.poisson              = material.poisson;
+	type.density              = material.density;
+	inside                    = sharedInnerPart(type);
+	counted                   = false;
 	amplitudes.resize(inside->modes.count(), 0);
 	rates.resize(inside->modes.count(), 0);
 	return inside.get();
 }
 
-void Brick::advance(const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt)
+void Brick::advance(const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt, bool nodeRates)
 {
 	const auto& omegaSquared = inside->modes.omegaSquared;
 	Real* const load         = workingSpace(inside->columns.paddedModes());
@@ -223,21 +220,22 @@ void Brick::advance(const brick::NodalVectors& forces, Real dampingRatio, Real l
 		amplitudes[k]   = next.amplitude;
 		rates[k]        = next.rate;
 	}
-	updateNodes();
+	updateNodes(nodeRates);
 }
 
 void Brick::setAmplitudes(const std::vector<Real>& given)
 {
 	amplitudes = given;
 	std::fill(rates.begin(), rates.end(), 0);
-	updateNodes();
+	updateNodes(false);
 }
 
-/// Displacement of the nodes and its rate from the modes.
-void Brick::updateNodes()
+/// Displacement of the nodes from the modes, and its rate where it is wanted.
+void Brick::updateNodes(bool withRates)
 {
 	nodesFrom(inside->columns, amplitudes, displacement);
-	nodesFrom(inside->columns, rates, displacementRate);
+	displacementRate.resize(withRates ? displacement.size() : 0);
+	if (withRates) nodesFrom(inside->columns, rates, displacementRate);
 }
 
 std::vector<Vector3r> Brick::innerNodes() const { return inside ? inside->nodes : corners; }
@@ -267,10 +265,8 @@ brick::Placement Brick::placement(const Vector3r& position, const State& state) 
 	p.rotation        = state.ori.toRotationMatrix();
 	p.velocity        = state.vel;
 	p.angularVelocity = state.angVel;
-	if (!displacement.empty()) {
-		p.displacement     = displacement.data();
-		p.displacementRate = displacementRate.data();
-	}
+	if (!displacement.empty()) p.displacement = displacement.data();
+	if (!displacementRate.empty()) p.displacementRate = displacementRate.data();
 	return p;
 }
 
@@ -341,7 +337,7 @@ boost::python::dict Brick::solidProperties(const std::vector<Vector3r>& given)
 
 Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> Brick::stiffness(const std::vector<Vector3r>& nodes, Real young, Real poisson, const string& element)
 {
-	return brick::stiffness(nodesOf(nodes), young, poisson, elementOf(element));
+	return brick::stiffness(nodesOf(nodes), young, poisson, fromName("element", element, elements));
 }
 
 void Bo1_Brick_Aabb::go(const shared_ptr<Shape>& shape, shared_ptr<Bound>& bound, const Se3r& se3, const Body* body)

@@ -22,7 +22,7 @@ public:
 	shared_ptr<const brick::Hexahedron> solid;
 	std::array<Real, brick::faceCount>  contactLength { 0, 0, 0, 0, 0, 0 };
 
-	bool isDeformable() const { return level != brick::Deformation::Rigid; }
+	bool isDeformable() const { return checked.deformation != brick::Deformation::Rigid; }
 
 	/// Whether this brick and a body were laid edge to edge and this one's joints all hold (see whole).
 	bool isHeldBeside(int id) const { return whole && std::find(beside.begin(), beside.end(), id) != beside.end(); }
@@ -43,11 +43,14 @@ public:
 	const brick::InnerPart* innerPart(const BrickMat& material);
 
 	/// Whether innerPart() has been asked for with this material, as it is.
-	bool isReady(const BrickMat& m) const { return !isDeformable() || (inside && insideMaterial == std::array<Real, 3> { m.young, m.poisson, m.density }); }
+	bool isReady(const BrickMat& m) const
+	{
+		return !isDeformable() || (inside && inside->type.young == m.young && inside->type.poisson == m.poisson && inside->type.density == m.density);
+	}
 
 	/// Moves the deformation part by a step under nodal forces in body axes [N].
-	/// @param localDamping of the modes, as NewtonIntegrator.damping is of the rigid motion
-	void advance(const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt);
+	/// @param localDamping of the modes, as NewtonIntegrator.damping is of the rigid motion   @param nodeRates whether the rates of the nodes are wanted
+	void advance(const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt, bool nodeRates);
 
 	/// Whether a node of the surface is outside of a box, world axes.
 	bool reachesOut(const State&, const Vector3r& lower, const Vector3r& upper) const;
@@ -55,7 +58,7 @@ public:
 	/// Deforms it at rest.
 	void setAmplitudes(const std::vector<Real>&);
 
-	int                   surfaceCells() const { return level == brick::Deformation::Refined ? cells : 1; } ///< along each edge of a face
+	int                   surfaceCells() const { return checked.deformation == brick::Deformation::Refined ? checked.cells : 1; } ///< along each edge of a face
 	int                   surfaceNodes() const { return brick::surfaceGrid(surfaceCells()).size(); }
 	Vector3r              deformedNode(int a) const; ///< of the surface, the corners first; body axes [m]
 	std::vector<Vector3r> innerNodes() const;        ///< surface of the inner part at rest, body axes [m]; the corners of a rigid brick
@@ -89,7 +92,7 @@ Limitations: small strain in the co-rotated frame; inertia forces of the rotatio
 		((vector<Real>, amplitudes, , Attr::readonly, "Amplitude of each deformation mode [sqrt(kg) m]; empty before the first step and for rigid bricks."))
 		((vector<Real>, rates, , Attr::readonly, "Rate of each amplitude, half a step before [sqrt(kg) m/s]."))
 		((vector<Vector3r>, displacement, , Attr::readonly, "Displacement of the eight nodes relative to the rigid motion, body axes [m]; empty for rigid bricks. Of a 'refined' brick all 6 cells^2 + 2 nodes on the surface: the corners first, then by place in the grid, x fastest and z slowest."))
-		((vector<Vector3r>, displacementRate, , Attr::readonly, "Its rate, half a step before [m/s]."))
+		((vector<Vector3r>, displacementRate, , Attr::readonly, "Its rate, half a step before [m/s]; empty while no dashpot asks for it: all joints hold and nothing else touches the brick."))
 		((bool, whole, false, Attr::readonly, "Whether the brick has mortar joints and all segments of all of them hold."))
 		((int, joints, 0, Attr::readonly, "Mortar joints that were laid at this brick."))
 		((vector<int>, beside, , Attr::readonly, "Bodies that touch this brick at an edge or corner only, with a common neighbour that both are joined to: not searched for contact while both are :yref:`whole<Brick.whole>`.")),
@@ -109,14 +112,19 @@ Limitations: small strain in the co-rotated frame; inertia forces of the rotatio
 	REGISTER_CLASS_INDEX(Brick, Shape);
 
 private:
-	brick::Deformation                 level = brick::Deformation::Trilinear;
+	/// The attributes as they were last found right.
+	struct Checked {
+		brick::Deformation deformation = brick::Deformation::Trilinear;
+		brick::Element     element     = brick::Element::Full;
+		brick::Inner       inner       = brick::Inner::Inset;
+		int                cells       = 1; // of a refined brick
+	};
+	Checked                            checked;
 	shared_ptr<const brick::InnerPart> inside;
-	std::array<Real, 3>                insideMaterial { 0, 0, 0 }; // young, poisson, density that `inside` was made for
-	string                             insideAs;                   // and the attributes
-	string                             innerAttributes() const;
-	void                               checkCells() const;
-	void                               keepDeformation();
-	void                               updateNodes();
+	Checked                            checkedAttributes() const;
+	void                               keepDeformation(const Checked&, const brick::Nodes&);
+	brick::InnerPartType               innerPartType(const Checked&, const brick::Nodes&) const;
+	void                               updateNodes(bool rates);
 };
 REGISTER_SERIALIZABLE(Brick);
 

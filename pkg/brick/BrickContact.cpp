@@ -219,8 +219,9 @@ namespace {
 		const auto&           first  = Body::byId(geom.reversed ? I.getId2() : I.getId1(), scene);
 		const auto&           second = Body::byId(geom.reversed ? I.getId1() : I.getId2(), scene);
 		shared_ptr<BrickPhys> phys(new BrickPhys);
-		phys->springs                = pairSprings(*first->material, geom.contact->sides[0].support, static_cast<const BrickMat&>(*second->material));
-		phys->tangensOfFrictionAngle = phys->springs.tanFriction;
+		phys->contact                = std::make_shared<OrdinaryContact>();
+		phys->contact->springs       = pairSprings(*first->material, geom.contact->sides[0].support, static_cast<const BrickMat&>(*second->material));
+		phys->tangensOfFrictionAngle = phys->contact->springs.tanFriction;
 		phys->contactPart            = thinnestContactPart(geom.contact->sides);
 		out                          = phys;
 	}
@@ -246,7 +247,7 @@ long BrickPhys::made() { return physMade.load(std::memory_order_relaxed); }
 
 std::vector<int> BrickPhys::segmentState() const
 {
-	if (!isJoint()) return failureModes;
+	if (!isJoint()) return contact ? contact->failureModes : std::vector<int>();
 	return ofSegments<int>([this](int s) { return int(brick::segmentOf(joint, s).state); });
 }
 
@@ -276,20 +277,21 @@ std::vector<Vector3r> BrickPhys::segmentPoints(const shared_ptr<BrickGeom>& geom
 std::vector<Real> BrickPhys::normalStress(const shared_ptr<BrickGeom>& geom) const
 {
 	needStep(geom);
-	return ofSegments<Real>([&](int s) { return brick::segmentTraction(joint, s, geom->motion, springs.tanFriction).normal; });
+	return ofSegments<Real>([&](int s) { return brick::segmentTraction(joint, s, geom->motion, springs().tanFriction).normal; });
 }
 
 std::vector<Vector3r> BrickPhys::shearStress(const shared_ptr<BrickGeom>& geom) const
 {
 	needStep(geom);
-	return ofSegments<Vector3r>([&](int s) { return brick::segmentTraction(joint, s, geom->motion, springs.tanFriction).shear; });
+	return ofSegments<Vector3r>([&](int s) { return brick::segmentTraction(joint, s, geom->motion, springs().tanFriction).shear; });
 }
 
 Real BrickPhys::elasticEnergy(const shared_ptr<BrickGeom>& geom) const
 {
 	needStep(geom);
-	if (isJoint()) return brick::jointEnergy(joint, geom->motion, springs.tanFriction);
-	return brick::contactEnergy(geom->contact->sides[0], geom->contact->sides[1], geom->contact->spots, springs, memory);
+	if (isJoint()) return brick::jointEnergy(joint, geom->motion, springs().tanFriction);
+	if (!contact || !geom->contact) return 0;
+	return brick::contactEnergy(geom->contact->sides[0], geom->contact->sides[1], geom->contact->spots, contact->springs, contact->memory);
 }
 
 // ----------------------------------------------------------------------------------------------------------------- law
@@ -314,12 +316,14 @@ namespace {
 	/// The last segment has failed: the pair goes on as an ordinary contact, with the same shear, and with the joint's forces in this step.
 	void endJoint(const brick::Side& side0, const brick::Side& side1, BrickGeom& geom, BrickPhys& phys)
 	{
-		phys.memory       = brick::tractionsOfJoint(phys.joint, geom.motion, phys.springs.tanFriction, side0, side1);
-		phys.failureModes = phys.segmentState();
-		phys.contactLoads.reset(new std::array<brick::Loads, 2> { brick::Loads(side0.cells), brick::Loads(side1.cells) });
+		phys.contact               = std::make_shared<OrdinaryContact>();
+		phys.contact->springs      = phys.springs();
+		phys.contact->memory       = brick::tractionsOfJoint(phys.joint, geom.motion, phys.springs().tanFriction, side0, side1);
+		phys.contact->failureModes = phys.segmentState();
 		for (int side = 0; side < 2; ++side) {
-			brick::Loads&      loads = (*phys.contactLoads)[side];
+			brick::Loads&      loads = phys.contact->loads[side];
 			const brick::Side& body  = side == 0 ? side0 : side1;
+			loads                    = brick::Loads(body.cells);
 			loads.force              = phys.loads.forceOn(side);
 			loads.torque             = phys.loads.torque[side];
 			if (!body.support) brick::addNodalForces(phys.joint, phys.loads, side, body.placement.rotation, loads.nodal.data());
@@ -341,7 +345,7 @@ void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phy
 		const Vector3r& at = second.state->pos;
 		moving             = { sideOfBody(first, geom.supportSolid, at).placement, sideOfBody(second, geom.supportSolid, at).placement };
 	}
-	const auto failures = brick::jointLoads(phys.joint, geom.motion, moving ? &*moving : nullptr, phys.springs.tanFriction, phys.loads, sum);
+	const auto failures = brick::jointLoads(phys.joint, geom.motion, moving ? &*moving : nullptr, phys.springs().tanFriction, phys.loads, sum);
 	if (phys.joint.shape->faces[0].face < 0) phys.loads.torque[0] += (geom.origin - first.state->pos).cross(phys.loads.forceOn(0));
 	fillReport(sum, geom.origin, geom, phys);
 	if (failures.total() == 0) return;
@@ -360,9 +364,8 @@ void Law2_BrickGeom_BrickPhys_Mortar::applyContact(BrickGeom& geom, BrickPhys& p
 	thread_local brick::ContactMemory scratch;
 	brick::PairSummary                sum;
 	const auto&                       sides = geom.contact->sides;
-	if (!phys.contactLoads) phys.contactLoads.reset(new std::array<brick::Loads, 2>);
-	auto& loads = *phys.contactLoads;
-	brick::contactLoads(sides[0], sides[1], geom.contact->spots, phys.springs, scene->dt, phys.memory, scratch, loads, sum);
+	auto&                             loads = phys.contact->loads;
+	brick::contactLoads(sides[0], sides[1], geom.contact->spots, phys.contact->springs, scene->dt, phys.contact->memory, scratch, loads, sum);
 	if (sides[0].support) loads[0].torque += (sides[0].placement.position - Body::byId(phys.ids[0], scene)->state->pos).cross(loads[0].force);
 	fillReport(sum, sides[0].placement.position, geom, phys);
 	for (const Body::id_t id : phys.ids)

@@ -43,17 +43,32 @@ public:
 };
 REGISTER_SERIALIZABLE(BrickGeom);
 
+/// What an ordinary contact needs besides what a joint does.
+struct OrdinaryContact {
+	brick::PairSprings          springs;
+	brick::ContactMemory        memory;       // shear tractions
+	std::vector<int>            failureModes; // of the segments of the joint that it has been
+	std::array<brick::Loads, 2> loads;        // on side 0 and 1 in the present step
+};
+
+template <class Archive> void serialize(Archive& ar, OrdinaryContact& c, unsigned)
+{
+	using boost::serialization::make_nvp;
+	ar& make_nvp("springs", c.springs) & make_nvp("memory", c.memory) & make_nvp("failureModes", c.failureModes);
+}
+
 class BrickPhys : public FrictPhys {
 public:
 	// what this interaction does to its two bodies in the present step; side 0 as in BrickGeom
-	std::array<Body::id_t, 2>                    ids { -1, -1 };
-	brick::JointLoads                            loads;    // of a joint
-	std::unique_ptr<std::array<brick::Loads, 2>> contactLoads; // of an ordinary contact; null for a joint
-	long                                         step = -1;    // in which they were computed
+	std::array<Body::id_t, 2> ids { -1, -1 };
+	brick::JointLoads         loads;     // of a joint
+	long                      step = -1; // in which they were computed
 
 	static long made(); ///< objects of this class made so far in this process: whether there may be new ones
 
-	bool                  isJoint() const { return joint.exists(); }
+	bool                      isJoint() const { return joint.exists(); }
+	const brick::PairSprings& springs() const { return isJoint() ? joint.shape->pair : contact->springs; }
+
 	std::vector<int>      segmentState() const;
 	std::vector<Real>     segmentArea() const;
 	std::vector<Vector3r> segmentPoints(const shared_ptr<BrickGeom>&) const;
@@ -74,10 +89,8 @@ public:
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(BrickPhys, FrictPhys, R"(Springs, mortar and friction between a :yref:`Brick` and another body [Furukawa2014]_, eqs. (2)-(9), (16).
 
 :yref:`kn<NormPhys.kn>` and :yref:`ks<NormShearPhys.ks>` are sums over the area in contact [N/m]; the method's springs are per unit area. :yref:`normalForce<NormPhys.normalForce>` and :yref:`shearForce<NormShearPhys.shearForce>` act on id2.)",
-		((brick::PairSprings, springs, , Attr::hidden, "Compliances and damping of the pair."))
-		((brick::Joint, joint, , Attr::hidden, "Mortar joint; without segments for an ordinary contact."))
-		((vector<int>, failureModes, , Attr::readonly, "How each segment of the joint that this contact once was had failed: see segmentState."))
-		((brick::ContactMemory, memory, , Attr::hidden, "Shear tractions of an ordinary contact."))
+		((brick::Joint, joint, , Attr::hidden, "Mortar joint; none for an ordinary contact."))
+		((std::shared_ptr<OrdinaryContact>, contact, , Attr::hidden, "Springs and tractions of an ordinary contact; null for a joint."))
 		((Real, contactPart, NaN, Attr::hidden, "Thickness of the thinner contact part [m]."))
 		((Real, deepest, 0, Attr::readonly, "Largest penetration so far as a fraction of the thinner contact part; above 1 the contact is outside the method (crushing).")),
 		createIndex(); count();,

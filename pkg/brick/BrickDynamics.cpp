@@ -52,8 +52,8 @@ namespace {
 		{
 			const int side = phys.ids[0] == id ? 0 : 1;
 			if (phys.isJoint()) addJoint(phys, side);
-			else if (phys.contactLoads)
-				addContact((*phys.contactLoads)[side]);
+			else
+				addContact(phys.contact->loads[side]);
 		}
 
 	private:
@@ -154,7 +154,9 @@ void BrickDynamics::moveOn(Body& b, Sum& sum)
 	sum.force = total.force, sum.torque = total.torque;
 	if (!shape) return;
 	shape->whole = shape->joints > 0 && total.holding == shape->joints;
-	if (deformable) shape->advance(nodal, static_cast<const BrickMat&>(*b.material).dampingRatio, damping, scene->dt);
+	// rates of the nodes are for dashpots: of joints that have cracked, and of contact
+	const bool dashpots = !shape->whole || shape->contactStep == scene->iter;
+	if (deformable) shape->advance(nodal, static_cast<const BrickMat&>(*b.material).dampingRatio, damping, scene->dt, dashpots);
 	if (!scene->doSort && !scene->isPeriodic) askForNewBounds(b, *shape);
 }
 

@@ -32,7 +32,7 @@ namespace {
 		const brick::ContactSpot* last = nullptr; // spots of the same faces stand together
 		for (const auto& spot : geom.contact->spots) {
 			if (last && brick::sameFaces(*last, spot)) continue;
-			longest = std::max(longest, dashpotTime(brick::springsOf(spot, geom.contact->sides[0], geom.contact->sides[1], phys.springs)));
+			longest = std::max(longest, dashpotTime(brick::springsOf(spot, geom.contact->sides[0], geom.contact->sides[1], phys.springs())));
 			last    = &spot;
 		}
 		return longest;
@@ -81,7 +81,7 @@ BrickTimeStepper::Partners BrickTimeStepper::partnersOf(const Body& b, const Bri
 		const auto* geom       = static_cast<const BrickGeom*>(item.second->geom.get());
 		const auto& other      = Body::byId(item.first, scene);
 		const bool  held       = !other->isDynamic();
-		Real        normal     = phys->springs.mortarNormal, shear = phys->springs.mortarShear;
+		Real        normal     = phys->springs().mortarNormal, shear = phys->springs().mortarShear;
 		const auto* otherMat   = asBrickMat(other->material);
 		const Brick* otherShape = asBrick(other->shape);
 		if (otherShape && otherMat) {

@@ -170,13 +170,14 @@ void MortarJoints::join(const shared_ptr<Body>& a, const shared_ptr<Body>& b)
 	checkThickness(*filling, second, side1, faces[1]);
 
 	shared_ptr<BrickPhys> phys(new BrickPhys);
-	phys->springs = pairSprings(*first.material, side0.support, brickMaterial(second));
-	phys->springs.setMortar(mortarElasticity(*filling, first, second), filling->thickness);
-	phys->springs.tanFriction    = std::tan(filling->frictionAngle);
-	phys->tangensOfFrictionAngle = phys->springs.tanFriction;
+	brick::PairSprings    pair = pairSprings(*first.material, side0.support, brickMaterial(second));
+	pair.setMortar(mortarElasticity(*filling, first, second), filling->thickness);
+	pair.tanFriction             = std::tan(filling->frictionAngle);
+	phys->tangensOfFrictionAngle = pair.tanFriction;
 	joint->setMortar(
-	        phys->springs.at((*side0.contactLength)[faces[0]], (*side1.contactLength)[faces[1]]),
-	        { filling->tensileStrength, filling->cohesion, phys->springs.tanFriction, filling->compressiveStrength, filling->Cs });
+	        pair.at((*side0.contactLength)[faces[0]], (*side1.contactLength)[faces[1]]),
+	        { filling->tensileStrength, filling->cohesion, pair.tanFriction, filling->compressiveStrength, filling->Cs },
+	        pair);
 	shareShape(*joint, side0, side1);
 	phys->contactPart            = thinnestContactPart({ side0, side1 });
 	phys->joint                  = *joint;

@@ -180,8 +180,8 @@ TEST(RefinedJoint, fields_of_eight_nodes_give_what_one_cell_gives)
 			ASSERT_EQ(coarse.joint.failures.total(), fine.joint.failures.total());
 			motion.apply(coarse), motion.apply(fine);
 			const auto a = coarse.step(), b = fine.step();
-			const Real F = a.loads.force.norm(), small = pairs::knThin * edge * edge / 2 * 1e-16; // places of some 0.1 m keep 1e-17 m, over all springs
-			EXPECT_LT((a.loads.force - b.loads.force).norm(), small);
+			const Real F = a.loads.forceOn(0).norm(), small = pairs::knThin * edge * edge / 2 * 1e-16; // places of some 0.1 m keep 1e-17 m, over all springs
+			EXPECT_LT((a.loads.forceOn(0) - b.loads.forceOn(0)).norm(), small);
 			EXPECT_NEAR(a.sum.penetration, b.sum.penetration, roundOff * edge);
 			EXPECT_LT((a.sum.point - b.sum.point).norm(), roundOff * edge);
 			EXPECT_NEAR(jointEnergy(coarse.joint, coarse.motion(), 0), jointEnergy(fine.joint, fine.motion(), 0), 1e-10 * F * edge);
@@ -219,7 +219,7 @@ TEST(RefinedJoint, nodal_forces_are_the_gradient_of_the_energy)
 				// energies of 1e-2 J keep 1e-15 of them, over 2e-8 m
 				EXPECT_NEAR(a.nodal[s][node][i], (energy[0] - energy[1]) / (2 * step), 1e-6 * F);
 			}
-	EXPECT_LT((a.loads.torque[0] + a.loads.torque[1] - a.loads.force.cross(-pair.motion().offset)).norm(), roundOff * F * edge);
+	EXPECT_LT((a.loads.torque[0] + a.loads.torque[1] - a.loads.forceOn(0).cross(-pair.motion().offset)).norm(), roundOff * F * edge);
 }
 
 // One node in the middle of a face bulges by just enough, or just not: its four cells tear where they open most, which the shortcut has to notice.

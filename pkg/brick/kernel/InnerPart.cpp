@@ -6,9 +6,8 @@
 namespace brick {
 
 InnerPart::InnerPart(const InnerPartType& type)
-        : cells(type.deformation == Deformation::Refined ? type.cells : 1)
-        , young(type.young)
-        , poisson(type.poisson)
+        : type(type)
+        , cells(type.deformation == Deformation::Refined ? type.cells : 1)
 {
 	const Nodes corners = type.inner == Inner::Inset ? insetCorners(Hexahedron(type.corners), type.thickness) : type.corners;
 	const Real  mass    = type.density * solidProperties(type.corners).volume;
@@ -21,15 +20,15 @@ InnerPart::InnerPart(const InnerPartType& type)
 void InnerPart::makeHexahedron(const InnerPartType& type, const Nodes& corners, Real mass)
 {
 	nodes.assign(corners.begin(), corners.end());
-	modes = deformationModes(stiffness(corners, young, poisson, type.element), corners, lumpedMasses(corners, mass), type.deformation);
+	modes = deformationModes(stiffness(corners, type.young, type.poisson, type.element), corners, lumpedMasses(corners, mass), type.deformation);
 	stressOf.resize(6, dofCount);
 	for (int i = 0; i < dofCount; ++i)
-		stressOf.col(i) = centreStress(corners, young, poisson, Vector24::Unit(i));
+		stressOf.col(i) = centreStress(corners, type.young, type.poisson, Vector24::Unit(i));
 }
 
 void InnerPart::makeRefined(const InnerPartType& type, const Nodes& corners, Real mass)
 {
-	CondensedPart part(corners, cells, young, poisson, type.element, mass);
+	CondensedPart part(corners, cells, type.young, type.poisson, type.element, mass);
 	nodes         = std::move(part.nodes);
 	modes         = std::move(part.modes);
 	stressOf      = std::move(part.stressOf);

@@ -18,14 +18,20 @@ struct InnerPartType {
 	Real        thickness   = 0; ///< r of the contact part [m]
 	Real        young = 0, poisson = 0, density = 0;
 	int         cells = 1; ///< elements along each edge, 1 to largestCells; used by Refined only
+
+	/// Whether another differs in nothing but the material.
+	bool hasShapeOf(const InnerPartType& o) const
+	{
+		return corners == o.corners && deformation == o.deformation && element == o.element && inner == o.inner && thickness == o.thickness && cells == o.cells;
+	}
 };
 
 /// Memory of a refined part, once for all bricks of the type: three times its shapes (in `modes` and twice in `columns`), each 3 S (3 S - 6) numbers with
 /// S = 6 n^2 + 2: 0.13 MB for n = 2, 2 MB for n = 4, 32 MB for n = 8. A step reads `columns` alone; `modes.shapes` serves StableStep.hpp and Assembly.hpp.
 struct InnerPart {
+	InnerPartType                          type;  ///< that it was made for
 	int                                    cells; ///< n along each edge of the surface: surfaceGrid(cells) numbers the nodes; 1 unless refined
 	std::vector<Vector3r>                  nodes; ///< of the surface at rest, body axes [m]; first the eight corners
-	Real                                   young, poisson;
 	Modes                                  modes;
 	ModeColumns                            columns;                      ///< of the modes' shapes
 	Eigen::Matrix<Real, 6, Eigen::Dynamic> stressOf;                     ///< mean stress of displacements, see meanStress [Pa/m]

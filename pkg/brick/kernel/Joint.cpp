@@ -267,11 +267,12 @@ std::optional<Joint> joinFaces(const Side& side0, int face0, const Side& side1, 
 	return Joint { std::make_shared<JointShape>(shape), {}, {}, overlap.restGap };
 }
 
-void Joint::setMortar(const SpotSprings& springs, const MortarStrength& strength)
+void Joint::setMortar(const SpotSprings& springs, const MortarStrength& strength, const PairSprings& pair)
 {
 	shape           = std::make_shared<JointShape>(*shape);
 	shape->springs  = springs;
 	shape->strength = strength;
+	shape->pair     = pair;
 }
 
 namespace {
@@ -279,6 +280,12 @@ namespace {
 	bool same(const SpotSprings& a, const SpotSprings& b)
 	{
 		return a.normal == b.normal && a.shear == b.shear && a.normalDashpot == b.normalDashpot && a.shearDashpot == b.shearDashpot;
+	}
+
+	bool same(const PairSprings& a, const PairSprings& b)
+	{
+		return a.normalCompliance == b.normalCompliance && a.shearCompliance == b.shearCompliance && a.density == b.density && a.mortarNormal == b.mortarNormal
+		        && a.mortarShear == b.mortarShear && a.normalDamping == b.normalDamping && a.shearDamping == b.shearDamping && a.tanFriction == b.tanFriction;
 	}
 
 	bool same(const MortarStrength& a, const MortarStrength& b)
@@ -312,7 +319,7 @@ bool alike(const JointShape& a, const JointShape& b, Real tolerance)
 	const Real share = tolerance / std::sqrt(a.area);
 	for (int s = 0; s < 2; ++s)
 		if (a.faces[s].face != b.faces[s].face || !near(a.faces[s].normal, b.faces[s].normal, share)) return false;
-	if (a.patches.size() != b.patches.size() || a.rows != b.rows || !same(a.springs, b.springs) || !same(a.strength, b.strength)
+	if (a.patches.size() != b.patches.size() || a.rows != b.rows || !same(a.springs, b.springs) || !same(a.strength, b.strength) || !same(a.pair, b.pair)
 	    || !near(a.along, b.along, share))
 		return false;
 	for (std::size_t i = 0; i < a.patches.size(); ++i)

@@ -78,6 +78,7 @@ struct JointShape {
 	std::array<JointFace, 2> faces;
 	SpotSprings              springs;
 	MortarStrength           strength;
+	PairSprings              pair;                       ///< of contact once all segments have failed; its friction is that of segments that have
 	Vector3r                 along { Vector3r::Zero() }; ///< unit vector along p, body axes of side 0
 	std::array<int, 2>       rows { 1, 1 };              ///< of segments over the whole joint, along p and q
 	int                      count = 0;                  ///< segments
@@ -97,7 +98,7 @@ struct Joint {
 	bool holds() const { return failures.total() == 0; }
 	Real area() const { return shape->area; } ///< [m2]
 	/// Gives the joint, alone, other springs and strength.
-	void setMortar(const SpotSprings&, const MortarStrength&);
+	void setMortar(const SpotSprings&, const MortarStrength&, const PairSprings& = {});
 };
 JointSegment segmentOf(const Joint&, int index);
 
@@ -147,10 +148,9 @@ struct PairSummary {
 /// What a joint does to its bodies, world axes.
 struct JointLoads {
 	OfPatches<CornerVectors> forces; ///< of each patch on side 0, at the corners; side 1 takes the opposite [N]
-	Vector3r                 force { Vector3r::Zero() }; ///< of all on side 0 [N]
-	std::array<Vector3r, 2>  torque;                     ///< about the bodies' positions [N m]
+	std::array<Vector3r, 2>  torque; ///< about the bodies' positions [N m]
 
-	Vector3r forceOn(int side) const { return side == 0 ? force : Vector3r(-force); } ///< [N]
+	Vector3r forceOn(int side) const; ///< [N]
 };
 
 /// The two bodies of a joint.

@@ -42,6 +42,14 @@ Vector3r JointMotion::middle(const JointSegment& segment) const
 	return (at.place + at.opening / 2).transpose() * cornerWeights(segment.p, segment.q);
 }
 
+Vector3r JointLoads::forceOn(int side) const
+{
+	Vector3r sum = Vector3r::Zero();
+	for (const auto& patch : forces)
+		sum += patch.colwise().sum().transpose();
+	return (side == 0 ? 1 : -1) * sum;
+}
+
 Real JointMotion::meanOpening() const
 {
 	Real sum = 0;
@@ -171,15 +179,16 @@ Failures jointLoads(Joint& joint, const JointMotion& m, const JointPlacements* m
 	else
 		sweepPatches(joint, m, joint.holds() ? nullptr : moving, tanFriction, loads, sum.penetration);
 
-	loads.force.setZero(), loads.torque[0].setZero(), sum.point.setZero();
+	Vector3r force = Vector3r::Zero();
+	loads.torque[0].setZero(), sum.point.setZero();
 	for (std::size_t i = 0; i < m.patches.size(); ++i)
-		BRICK_BEST_INSTRUCTION_SET(addPatch)(joint.shape->patches[i], m.patches[i], loads.forces[i], loads.force, loads.torque[0], sum.point);
-	loads.torque[1] = m.offset.cross(loads.force) - loads.torque[0];
+		BRICK_BEST_INSTRUCTION_SET(addPatch)(joint.shape->patches[i], m.patches[i], loads.forces[i], force, loads.torque[0], sum.point);
+	loads.torque[1] = m.offset.cross(force) - loads.torque[0];
 
 	sum.area        = joint.area();
 	sum.normal      = m.normal;
-	sum.normalForce = -loads.force.dot(m.normal) * m.normal;
-	sum.shearForce  = -loads.force - sum.normalForce;
+	sum.normalForce = -force.dot(m.normal) * m.normal;
+	sum.shearForce  = -force - sum.normalForce;
 	sum.point /= sum.area;
 	sum.kn = joint.shape->springs.normal * sum.area;
 	sum.ks = joint.shape->springs.shear * sum.area;

@@ -19,7 +19,7 @@ struct Placement {
 	Vector3r        velocity { Vector3r::Zero() };     ///< [m/s]
 	Vector3r        angularVelocity { Vector3r::Zero() };
 	const Vector3r* displacement     = nullptr; ///< of the nodes of the surface, body axes [m]; null for a rigid body
-	const Vector3r* displacementRate = nullptr; ///< likewise [m/s]; null exactly when displacement is
+	const Vector3r* displacementRate = nullptr; ///< likewise [m/s]; null: none, or not known
 };
 
 /// One of the two bodies of a joint or contact.
