@@ -212,14 +212,9 @@ const brick::InnerPart* Brick::innerPart(const BrickMat& material)
 
 void Brick::advance(const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt, bool nodeRates)
 {
-	const auto& omegaSquared = inside->modes.omegaSquared;
-	Real* const load         = workingSpace(inside->columns.paddedModes());
+	Real* const load = workingSpace(inside->columns.paddedModes());
 	inside->columns.loads(forces[0].data(), load);
-	for (std::size_t k = 0; k < omegaSquared.size(); ++k) {
-		const auto next = brick::advanced({ amplitudes[k], rates[k] }, load[k], omegaSquared[k], dampingRatio, localDamping, dt);
-		amplitudes[k]   = next.amplitude;
-		rates[k]        = next.rate;
-	}
+	brick::advanceModes(inside->modes.omegaSquared, load, dampingRatio, localDamping, dt, amplitudes.data(), rates.data());
 	updateNodes(nodeRates);
 }
 
@@ -290,7 +285,15 @@ Vector3r Brick::deformedNode(int a) const
 
 bool Brick::reachesOut(const State& state, const Vector3r& lower, const Vector3r& upper) const
 {
-	const Matrix3r R = state.ori.toRotationMatrix();
+	// a box around all of it first, which mostly tells
+	const Matrix3r R      = state.ori.toRotationMatrix();
+	Vector3r       bulged = solid->reach;
+	if (!displacement.empty()) {
+		const Eigen::Map<const Eigen::Matrix<Real, 3, Eigen::Dynamic>> u(displacement[0].data(), 3, displacement.size());
+		bulged.array() += u.cwiseAbs().maxCoeff();
+	}
+	const Vector3r half = R.cwiseAbs() * bulged;
+	if (((state.pos - half).array() >= lower.array()).all() && ((state.pos + half).array() <= upper.array()).all()) return false;
 	for (int a = 0; a < surfaceNodes(); ++a) {
 		const Vector3r x = state.pos + R * deformedNode(a);
 		if ((x.array() < lower.array()).any() || (x.array() > upper.array()).any()) return true;

@@ -167,3 +167,24 @@ TEST(ModeColumns, give_the_products_with_the_shapes_bitwise_whatever_the_instruc
 			}
 		}
 }
+
+TEST(AdvanceModes, is_bitwise_what_each_mode_does_whatever_the_instruction_set)
+{
+	for (const int count : { 1, 6, 8, 18, 72 })
+		for (const Real zeta : { 0., .02 })
+			for (const Real localDamping : { 0., .3 }) {
+				std::vector<Real> omegaSquared(count), loads(count), q(count), rate(count);
+				Real              x = .3;
+				for (auto* values : { &omegaSquared, &loads, &q, &rate })
+					for (Real& value : *values)
+						value = 1e3 * (x = 3.7 * x * (1 - x));
+				std::vector<ModeState> expected;
+				for (int k = 0; k < count; ++k)
+					expected.push_back(advanced({ q[k], rate[k] }, loads[k], omegaSquared[k], zeta, localDamping, .01));
+				advanceModes(omegaSquared, loads.data(), zeta, localDamping, .01, q.data(), rate.data());
+				for (int k = 0; k < count; ++k) {
+					ASSERT_EQ(q[k], expected[k].amplitude);
+					ASSERT_EQ(rate[k], expected[k].rate);
+				}
+			}
+}

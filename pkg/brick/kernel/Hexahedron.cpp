@@ -295,6 +295,9 @@ Hexahedron::Hexahedron(const Nodes& restCorners)
 {
 	const std::string problem = cornersProblem(corners);
 	if (!problem.empty()) throw std::invalid_argument(problem);
+	reach.setZero();
+	for (const auto& corner : corners)
+		reach = reach.cwiseMax(corner.cwiseAbs());
 	for (int face = 0; face < faceCount; ++face) {
 		faces[face] = makeFace(corners, face);
 		if (!(faces[face].offset > 0))

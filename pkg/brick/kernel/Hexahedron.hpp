@@ -104,6 +104,7 @@ private:
 struct Hexahedron {
 	Nodes                       corners;
 	std::array<Face, faceCount> faces;
+	Vector3r                    reach; ///< largest distance of a corner from the origin along each axis [m]
 
 	/// @throws std::invalid_argument with cornersProblem(restCorners), or when the origin is not inside the brick
 	explicit Hexahedron(const Nodes& restCorners);

@@ -17,6 +17,17 @@ ModeColumns::ModeColumns(const Real* shapes, int dofs, int modes)
 			byNode[std::size_t(j) * paddedModes() + k] = byMode[std::size_t(k) * paddedDofs() + j] = shapes[std::size_t(k) * dofs + j];
 }
 
+void advanceModes(const std::vector<Real>& omegaSquared, const Real* loads, Real zeta, Real localDamping, Real dt, Real* amplitudes, Real* rates)
+{
+	const int count = int(omegaSquared.size());
+	int       k     = localDamping == 0 ? BRICK_BEST_INSTRUCTION_SET(advanceGroups)(omegaSquared.data(), count, loads, zeta, dt, amplitudes, rates) : 0;
+	for (; k < count; ++k) {
+		const ModeState next = advanced({ amplitudes[k], rates[k] }, loads[k], omegaSquared[k], zeta, localDamping, dt);
+		amplitudes[k]        = next.amplitude;
+		rates[k]             = next.rate;
+	}
+}
+
 void ModeColumns::sum(const std::vector<Real>& columns, int rows, int count, const Real* x, Real* y)
 {
 	BRICK_BEST_INSTRUCTION_SET(sumAllColumns)(columns.data(), rows, count, x, y);

@@ -33,6 +33,10 @@ inline ModeState advanced(const ModeState& mode, Real load, Real omegaSquared, R
 	return next;
 }
 
+/// All modes of a brick, the same.
+/// @param amplitudes, rates of each; replaced
+void advanceModes(const std::vector<Real>& omegaSquared, const Real* loads, Real zeta, Real localDamping, Real dt, Real* amplitudes, Real* rates);
+
 /// Mode shapes laid out for a step: columns padded to whole groups of lanes, by modes for the displacements and by nodes for the loads.
 class ModeColumns {
 public:

@@ -46,8 +46,11 @@ Vector3r JointLoads::forceOn(int side) const
 {
 	Vector3r sum = Vector3r::Zero();
 	for (const auto& patch : forces)
-		sum += patch.colwise().sum().transpose();
-	return (side == 0 ? 1 : -1) * sum;
+		for (int i = 0; i < 3; ++i) {
+			const Real* const f = patch.data() + 4 * i;
+			sum[i] += (f[0] + f[1]) + (f[2] + f[3]);
+		}
+	return side == 0 ? sum : Vector3r(-sum);
 }
 
 Real JointMotion::meanOpening() const

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sums of columns: included by InnerMotion.cpp once for each instruction set (InstructionSets.hpp).
+// Sums of columns, and the modes' own step: included by InnerMotion.cpp once for each instruction set (InstructionSets.hpp).
 
 constexpr int lanes = ModeColumns::lanes;
 
@@ -23,4 +23,18 @@ inline void sumAllColumns(const Real* columns, int rows, int count, const Real* 
 		sumColumns<3>(columns + at, rows, count, x, y + at);
 	for (; at < rows; at += lanes)
 		sumColumns<1>(columns + at, rows, count, x, y + at);
+}
+
+/// advanced() without local damping, of whole groups of modes; the number of modes moved.
+inline int advanceGroups(const Real* omegaSquared, int count, const Real* loads, Real zeta, Real dt, Real* amplitudes, Real* rates)
+{
+	int first = 0;
+	for (; first + lanes <= count; first += lanes) {
+		const Lanes square = loadLanes(omegaSquared + first), q = loadLanes(amplitudes + first);
+		const Lanes inertia = 1 + dt * dt * square / 4, damping = zeta == 0 ? Lanes {} : zeta * root(square) * dt;
+		const Lanes rate    = ((inertia - damping) * loadLanes(rates + first) + dt * (loadLanes(loads + first) - square * q)) / (inertia + damping);
+		storeLanes(rates + first, rate);
+		storeLanes(amplitudes + first, q + dt * rate);
+	}
+	return first;
 }

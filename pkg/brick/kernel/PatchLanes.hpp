@@ -126,11 +126,13 @@ bool outermostHold(const Joint& joint, const JointMotion& m, int number, Real& p
 	const Corners         d        = weighted(shape.patches[number].outermost, m.patches[number].opening);
 	const Lanes           un       = dot(d, m.normal);
 	const Lanes           t[3] { d[0] - un * m.normal[0], d[1] - un * m.normal[1], d[2] - un * m.normal[2] };
-	const Lanes           sigma = shape.springs.normal * (un - joint.restGap), shear = shape.springs.shear * root((t[0] * t[0] + t[1] * t[1]) + t[2] * t[2]);
+	const Lanes           sigma   = shape.springs.normal * (un - joint.restGap);
+	const Lanes           squared = shape.springs.shear * shape.springs.shear * ((t[0] * t[0] + t[1] * t[1]) + t[2] * t[2]); // of the shear stress
+	const Lanes           held    = strength.cohesion - sigma * strength.tanFriction; // what it must not exceed
 	for (int c = 0; c < lanes; ++c)
 		penetration = std::max(penetration, joint.restGap - un[c]);
-	return !any((sigma > strength.tension) | (shear + sigma * strength.tanFriction > strength.cohesion)
-	            | ((sigma < 0) & (sigma * sigma + strength.capShape * shear * shear > strength.compression * strength.compression)));
+	return !any((sigma > strength.tension) | (held < 0) | (squared > held * held)
+	            | ((sigma < 0) & (sigma * sigma + strength.capShape * squared > strength.compression * strength.compression)));
 }
 
 /// Force on side 0 of a patch that holds, at the corners of its rectangle.
