@@ -95,7 +95,7 @@ Limitations: small strain in the co-rotated frame; inertia forces of the rotatio
 		((vector<Vector3r>, displacementRate, , Attr::readonly, "Its rate, half a step before [m/s]; empty while no dashpot asks for it: all joints hold and nothing else touches the brick."))
 		((bool, whole, false, Attr::readonly, "Whether the brick has mortar joints and all segments of all of them hold."))
 		((int, joints, 0, Attr::readonly, "Mortar joints that were laid at this brick."))
-		((vector<int>, beside, , Attr::readonly, "Bodies that touch this brick at an edge or corner only, with a common neighbour that both are joined to: not searched for contact while both are :yref:`whole<Brick.whole>`.")),
+		((vector<int>, beside, , Attr::readonly, "Bodies that touch this brick at an edge or corner only, with a common neighbour that both are joined to: not searched for contact, nor kept as interactions, while both are :yref:`whole<Brick.whole>`.")),
 		/*ctor*/ createIndex();,
 		/*py*/
 		.def("worldCorners", &Brick::worldCorners, (boost::python::arg("state")), "Deformed corners in world axes for the given state [m], in the order of corners.")

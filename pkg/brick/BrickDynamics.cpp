@@ -144,6 +144,7 @@ void BrickDynamics::moveOn(Body& b, Sum& sum)
 	Brick* shape = asBrick(b.shape);
 	const int first = firstActing[b.getId()], end = firstActing[b.getId() + 1];
 	sum.any         = first < end;
+	sum.released    = false;
 	if (!shape && !sum.any) return;
 	thread_local brick::NodalVectors nodal; // keeps its room from brick to brick
 	const bool                       deformable = shape && shape->isDeformable();
@@ -153,7 +154,9 @@ void BrickDynamics::moveOn(Body& b, Sum& sum)
 		total.add(static_cast<const BrickPhys&>(*acting[i]), b.getId());
 	sum.force = total.force, sum.torque = total.torque;
 	if (!shape) return;
-	shape->whole = shape->joints > 0 && total.holding == shape->joints;
+	const bool held = shape->joints > 0 && total.holding == shape->joints;
+	sum.released    = shape->whole && !held && !shape->beside.empty();
+	shape->whole    = held;
 	// rates of the nodes are for dashpots: of joints that have cracked, and of contact
 	const bool dashpots = !shape->whole || shape->contactStep == scene->iter;
 	if (deformable) shape->advance(nodal, static_cast<const BrickMat&>(*b.material).dampingRatio, damping, scene->dt, dashpots);
@@ -168,6 +171,35 @@ void BrickDynamics::askForNewBounds(const Body& b, const Brick& shape) const
 	scene->doSort = true;
 }
 
+/// Potential interactions of bricks laid edge to edge: as long as their joints hold these would be asked for nothing in every step.
+void BrickDynamics::dropHeldApart()
+{
+	auto& interactions = *scene->interactions;
+	if (interactions.size() > interactionsKept) {
+		std::vector<std::pair<Body::id_t, Body::id_t>> dropped;
+		for (const auto& I : interactions) {
+			if (I->geom || I->phys) continue;
+			const auto & a = Body::byId(I->getId1(), scene), &b = Body::byId(I->getId2(), scene);
+			const Brick *first = a ? asBrick(a->shape) : nullptr, *second = b ? asBrick(b->shape) : nullptr;
+			if (first && second && second->whole && first->isHeldBeside(I->getId2())) dropped.emplace_back(I->getId1(), I->getId2());
+		}
+		for (const auto& pair : dropped)
+			if (const auto I = interactions.find(pair.first, pair.second)) interactions.erase(pair.first, pair.second, I->linIx);
+	}
+	interactionsKept = interactions.size();
+}
+
+/// A joint of a brick has failed: those that it was held apart from may touch it from now on. The collider finds the ones whose boxes do not overlap yet.
+void BrickDynamics::takeUpReleased(const Body& b)
+{
+	for (const int id : static_cast<const Brick&>(*b.shape).beside) {
+		const auto& other = Body::byId(id, scene);
+		if (!other || !other->bound || !b.bound || scene->interactions->find(b.getId(), id)) continue;
+		const bool apart = (b.bound->min.array() > other->bound->max.array()).any() || (other->bound->min.array() > b.bound->max.array()).any();
+		if (!apart || scene->isPeriodic) scene->interactions->insert(b.getId(), id);
+	}
+}
+
 void BrickDynamics::action()
 {
 	prepare();
@@ -180,10 +212,12 @@ void BrickDynamics::action()
 		if (large) prefetchFollowing(id);
 		if (const auto& b = (*scene->bodies)[id]; b && b->shape) moveOn(*b, sums[id]);
 		else
-			sums[id].any = false;
+			sums[id].any = sums[id].released = false;
 	}
+	dropHeldApart();
 	// one thread writes all forces, so that sums with other engines' forces have one order too
 	for (int id = 0; id < count; ++id) {
+		if (sums[id].released) takeUpReleased(*(*scene->bodies)[id]);
 		if (!sums[id].any) continue;
 		if (!sums[id].force.allFinite() || !sums[id].torque.allFinite())
 			throw std::runtime_error(

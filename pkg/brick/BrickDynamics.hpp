@@ -25,7 +25,8 @@ Raises an error, naming the body, when a brick lacks what it needs or a force is
 private:
 	struct Sum {
 		Vector3r force, torque;
-		bool     any; // some joint or contact acts on the body
+		bool     any;      // some joint or contact acts on the body
+		bool     released; // a brick that its joints hold apart from others no more
 	};
 	std::vector<Sum> sums; // by id
 
@@ -35,12 +36,16 @@ private:
 	std::vector<int>               firstActing; // by id, and the end
 	long                           physMade = -1;
 
+	std::size_t interactionsKept = 0; // when those between bricks that are held apart were last dropped
+
 	void prepare();
 	bool isCurrent() const;
 	void findActing();
 	void prefetchFollowing(int id) const;
 	void moveOn(Body&, Sum&);
 	void askForNewBounds(const Body&, const Brick&) const;
+	void dropHeldApart();
+	void takeUpReleased(const Body&);
 };
 REGISTER_SERIALIZABLE(BrickDynamics);
 

@@ -72,6 +72,18 @@ class EdgeToEdge(unittest.TestCase):
 			touched |= contacts()
 		self.assertIn((a.id, b.id), touched)
 
+	def test_they_are_no_interactions_until_a_joint_has_failed(self):
+		masonry = wall()
+		StaticEquilibrium()()
+		O.run(5, True)
+		a, b = masonry.courses[0][0], masonry.courses[1][1]
+		self.assertFalse(O.interactions.has(a.id, b.id))
+		self.assertEqual(len([i for i in O.interactions if not i.isReal]), 0)
+		O.interactions.erase(a.id, masonry.courses[1][0].id)
+		O.step()
+		self.assertTrue(O.interactions.has(a.id, b.id))
+		self.assertFalse(O.interactions.has(masonry.courses[0][1].id, masonry.courses[1][2].id))
+
 	def test_bricks_that_are_side_by_side_without_mortar_are_searched(self):
 		masonry = wall(joints=lambda: MortarJoints(normal=(0, 0, 1)))
 		self.assertEqual(masonry.courses[1][1].shape.joints, 2)
