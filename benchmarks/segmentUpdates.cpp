@@ -177,7 +177,7 @@ void facesOfTheSameJoints(benchmark::State& state)
 }
 BENCHMARK(facesOfTheSameJoints)->Unit(benchmark::kMicrosecond);
 
-// ---- peak: independent chains of multiply-adds, more than the latency of one needs ---------------------------------------------
+// Peak: independent chains of multiply-adds, more than the latency of one needs
 
 constexpr int chains = 12, links = 1000;
 

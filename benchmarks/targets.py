@@ -130,7 +130,7 @@ def inUnit(number, unit):
 	return f"{short(number)} {unit}".strip()
 
 
-# ---- what is read from a sample --------------------------------------------------------------------------------------------------
+# What is read from a sample
 
 
 def perBrickStep(sample):
@@ -184,7 +184,7 @@ def ofLeanRoofline(sample):
 	return counted("segmentUpdates/4")(sample) * counted("segmentUpdates/4", "leanFlopsPerSegment", 1)(sample) / peak
 
 
-# ---- what runs -------------------------------------------------------------------------------------------------------------------
+# What runs
 
 
 def scene(name, script, options, threads=1):
@@ -210,7 +210,7 @@ calculix = Measurement("calculix", "{python} {scenes}/calculix.py --columns 12 -
 cracked = Measurement("cracked", "{programs}/segmentUpdates --benchmark_format=json --benchmark_min_time=0.3", package="libbenchmark-dev")
 paper = scene("paper", "untilCollapse.py", "--thickness 0.001 --segments 10")
 
-# ---- the rows --------------------------------------------------------------------------------------------------------------------
+# The rows
 
 
 def itself(number, *_):

@@ -39,7 +39,7 @@ paperFem = {0.25: 6.802e-6, 0.40: 9.142e-6}  # [m], Table 2, which cuts digits o
 paperProposed = {0.25: 6.804e-6, 0.40: 9.280e-6}
 
 
-# ---- 1. the finite element alone, and the linear solution of the layout ---------------------------------------------------------
+# The finite element alone, and the linear solution of the layout
 
 
 def elementStiffness(poisson, width):
@@ -75,7 +75,7 @@ def linearSolution(poisson, inner, segments):
 	return u[15] - u[12]
 
 
-# ---- 2. in the loop --------------------------------------------------------------------------------------------------------------
+# In the loop
 
 
 def scene(poisson, inner, segments):
@@ -115,7 +115,7 @@ def inTheLoop(poisson, inner, segments):
 	return corners[5][0] - corners[4][0] - side
 
 
-# ---- 3. the table ----------------------------------------------------------------------------------------------------------------
+# The table
 
 
 def main():

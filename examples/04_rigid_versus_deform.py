@@ -39,7 +39,7 @@ roundOff = 1e-6  # by which the motion of repetitions differs
 figureShares = (0.25, 0.35, 0.45, 0.6, 1)  # of the duration: the shapes in figures 11 and 12; 2.5, 3.5, 4.5, 6 and 10 s
 historySeconds = 1.5  # of figures 9 and 10
 
-# ---- 1. what to run ------------------------------------------------------------------------------------------------------------
+# What to run
 
 
 def options():
@@ -142,7 +142,7 @@ def sensitivityRuns(out):
 	return runs
 
 
-# ---- 2. running ----------------------------------------------------------------------------------------------------------------
+# Running
 
 
 def perform(run, chosen):
@@ -193,7 +193,7 @@ def grouped(runs, outcomes, study):
 	return groups
 
 
-# ---- 3. figures ----------------------------------------------------------------------------------------------------------------
+# Figures
 
 
 def historyFigure(path, walls, bond, title, array):
@@ -237,7 +237,7 @@ def drawFigures(walls, chosen):
 		shapeFigure(os.path.join(chosen.out, f"figureOutOfPlane-{bond}.png"), walls, bond, "y", f"Out of plane, {joints}; {name}", chosen)
 
 
-# ---- 4. the report -------------------------------------------------------------------------------------------------------------
+# The report
 
 
 def paperTables(walls, found):

@@ -50,7 +50,7 @@ from accuracy import Point, Row
 friction = math.radians(32)
 memoryColumns = memoryCourses = 24
 
-# ---- 1. scenes -------------------------------------------------------------------------------------------------------------------
+# Scenes
 
 
 def startScene(setting, young=9.8e6, poisson=0.25, breakable=False):
@@ -89,7 +89,7 @@ def cornersOf(body):
 	return np.array([tuple(corner) for corner in body.shape.worldCorners(body.state)])
 
 
-# ---- 2. cases: each builds its scene, finds the error, and leaves the scene to be timed ----------------------------------------
+# Cases: each builds its scene, finds the error, and leaves the scene to be timed
 
 
 def cubeCase(row):
@@ -231,7 +231,7 @@ def runRow(row, path):
 		json.dump(result, file, default=float)
 
 
-# ---- 3. running them all --------------------------------------------------------------------------------------------------------
+# Running them all
 
 
 def rowPath(table, line):
@@ -279,7 +279,7 @@ def results(table):
 	return found, missing
 
 
-# ---- 4. what comes out ----------------------------------------------------------------------------------------------------------
+# What comes out
 
 panels = {
         "cube": "Poisson cube: width and settlement",
@@ -332,7 +332,7 @@ def fillPage(page, table, text, picture):
 		target.write(source.read())
 
 
-# ---- 5. the picture --------------------------------------------------------------------------------------------------------------
+# The picture
 
 colors = {"rigid": "#444444", "uniform": "#8a6d3b", "trilinear": "#1f4e79", "refined": "#b03a2e"}
 markers = {"full": "s", "bbar": "^", "incompatible": "o"}
@@ -394,7 +394,7 @@ def label(axes, points):
 		axes.annotate(text, (point.time, point.error), offset, textcoords="offset points", va="center", fontsize=7, bbox=behind, zorder=1)
 
 
-# ---- 6. the command ---------------------------------------------------------------------------------------------------------------
+# The command
 
 
 def options():

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-# ---- 1. dials --------------------------------------------------------------------------------------------------------------------
+# Dials
 
 
 class Setting(NamedTuple):
@@ -146,7 +146,7 @@ def shortTitle(setting):
 	return ", ".join(short[name].format(texts[name]) for name in difference(setting, better))
 
 
-# ---- 2. rows of the table that says what to run -------------------------------------------------------------------------------
+# Rows of the table that says what to run
 
 
 class Row(NamedTuple):
@@ -205,7 +205,7 @@ def rowOf(entries):
 	return Row(entries["case"], Setting(*(entries[name] for name in Setting._fields)), entries["scale"], entries["seconds"], bool(entries["reference"]))
 
 
-# ---- 3. references --------------------------------------------------------------------------------------------------------------
+# References
 
 #: Cube on a fixed base under a rigid plate that it may slip along, W = 200 N, by Poisson's ratio: change of width at the top corner, settlement of the plate
 #: [m]. Three-dimensional elasticity, tensor-product finite elements of order 8 (tests/verification/references.json, t2.truth.rigidfree); error 2e-5.
@@ -267,7 +267,7 @@ def judgeShaking(results):
 	return least
 
 
-# ---- 4. what the numbers say ----------------------------------------------------------------------------------------------------
+# What the numbers say
 
 
 class Point(NamedTuple):
@@ -432,7 +432,7 @@ def reading(name, points, scatter=None):
 	return [f"**{name}.**"] + [f"- {line}" for line in lines]
 
 
-# ---- 5. tables -------------------------------------------------------------------------------------------------------------------
+# Tables
 
 
 def pointsOf(results, panels):

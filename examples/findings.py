@@ -110,7 +110,7 @@ def longestStair(places):
 	return longest
 
 
-# ---- findings ------------------------------------------------------------------------------------------------------------------
+# Findings
 
 
 class Finding(NamedTuple):
@@ -235,7 +235,7 @@ def outOfPlaneFinding(outcomes):
 	)
 
 
-# ---- texts ---------------------------------------------------------------------------------------------------------------------
+# Texts
 
 
 def timeText(value):

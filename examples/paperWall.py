@@ -29,7 +29,7 @@ energyTolerance = 0.01 * (density * columns * side * side * height) * gravity * 
 pictureLimits = (-1.2, 2.8, -0.15, 1.4)  # of x and z in wall.png: bricks that have flown farther are outside [m]
 restRatio, restImbalance = 1e-8, 1e-4  # criterion of rest: kinetic over elastic energy, mean net force over mean force in joints
 
-# ---- 1. what to run ------------------------------------------------------------------------------------------------------------
+# What to run
 
 
 def options(description, out):
@@ -71,7 +71,7 @@ def groundMotion(chosen):
 	return motion if chosen.scale == 1 else motion.scaled(chosen.scale)
 
 
-# ---- 2. the bricks: adobe and mortar of Table 3 ----------------------------------------------------------------------------------
+# The bricks: adobe and mortar of Table 3
 
 
 def brickOptions(chosen):
@@ -89,7 +89,7 @@ def brickOptions(chosen):
 	}
 
 
-# ---- 3. the run ----------------------------------------------------------------------------------------------------------------
+# The run
 
 
 class WallRun:
@@ -211,7 +211,7 @@ def deepestCorner(chosen):
 	return (8 / math.sqrt(3) * fallEnergy / stiffness)**0.25
 
 
-# ---- 4. the wall at rest -------------------------------------------------------------------------------------------------------
+# The wall at rest
 
 
 class SettledWall:
@@ -291,7 +291,7 @@ def jointStresses(masonry):
 	return [[stress for _, stress in sorted(course)] for course in headJoints], bedTension, thrust
 
 
-# ---- 5. what is recorded -------------------------------------------------------------------------------------------------------
+# What is recorded
 
 
 class EnergyBalance:

@@ -13,7 +13,7 @@ namespace yade {
 YADE_PLUGIN((
         BrickGeom)(BrickPhys)(Ig2_Brick_Brick_BrickGeom)(Ig2_Wall_Brick_BrickGeom)(Ig2_Box_Brick_BrickGeom)(Ip2_BrickMat_BrickMat_BrickPhys)(Ip2_FrictMat_BrickMat_BrickPhys)(Law2_BrickGeom_BrickPhys_Mortar));
 
-// --------------------------------------------------------------------------------------------------------------- sides
+// Sides
 
 namespace {
 
@@ -70,7 +70,7 @@ brick::Side sideOfBody(const Body& b, const shared_ptr<const brick::Hexahedron>&
 	return sideOfBox(*b.state, *box);
 }
 
-// ------------------------------------------------------------------------------------------------------------ geometry
+// Geometry
 
 namespace {
 
@@ -180,7 +180,7 @@ bool Ig2_Box_Brick_BrickGeom::go(
 	return true;
 }
 
-// ------------------------------------------------------------------------------------------------------------- physics
+// Physics
 
 brick::PairSprings pairSprings(const Material& material0, bool support, const BrickMat& material1)
 {
@@ -294,7 +294,7 @@ Real BrickPhys::elasticEnergy(const shared_ptr<BrickGeom>& geom) const
 	return brick::contactEnergy(geom->contact->sides[0], geom->contact->sides[1], geom->contact->spots, contact->springs, contact->memory);
 }
 
-// ----------------------------------------------------------------------------------------------------------------- law
+// Law
 
 namespace {
 

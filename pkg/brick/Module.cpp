@@ -34,7 +34,7 @@ namespace {
 	constexpr const char* headers = "yade-abi";
 #endif
 
-	// ------------------------------------------------------------------------------------------------------------ our class names
+	// Our class names
 
 	std::set<std::string>& namesBefore()
 	{
@@ -62,7 +62,7 @@ namespace {
 			if (!namesBefore().count(name)) ownNames().push_back(name);
 	}
 
-	// -------------------------------------------------------------------------------------------------------------------- probe
+	// Probe
 
 	[[noreturn]] void refuse(const std::string& why)
 	{
@@ -124,7 +124,7 @@ namespace {
 			refuse("the parts of the scene are not where the plugin expects them");
 	}
 
-	// ------------------------------------------------------------------------------------------------------------- registration
+	// Registration
 
 	using Descriptors = std::map<std::string, DynlibDescriptor>;
 

@@ -107,7 +107,7 @@ class Bill:
 		return _text(self.facts())
 
 
-# ---- time ------------------------------------------------------------------------------------------------------------------------
+# Time
 
 
 def _kinds(thing):
@@ -167,7 +167,7 @@ def _totals(seconds, simulated, steps, bricks):
 	}
 
 
-# ---- the state at the end ---------------------------------------------------------------------------------------------------------
+# The state at the end
 
 
 def _bricks(scene):
@@ -251,7 +251,7 @@ def limitText(limit):
 	return f"{limit['level']} brick {limit['brick']}{where}"
 
 
-# ---- as text ----------------------------------------------------------------------------------------------------------------------
+# As text
 
 
 def _text(facts):

@@ -128,7 +128,7 @@ def _shortestEdge(corners):
 	return min((corners[i] - corners[j]).norm() for i, j in edges)
 
 
-# ---- walls -----------------------------------------------------------------------------------------------------------------------
+# Walls
 
 
 @dataclass(frozen=True)
@@ -206,7 +206,7 @@ def _masonry(lengthsByCourse, size, origin, brickOptions):
 	return Masonry(tuple(courses))
 
 
-# ---- ground motion ---------------------------------------------------------------------------------------------------------------
+# Ground motion
 
 
 def groundMotion(motion, startTime=0.0, **options):

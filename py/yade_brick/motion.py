@@ -120,7 +120,7 @@ def _axisIndex(axis):
 	return axisNames.index(axis)
 
 
-# ---- files -----------------------------------------------------------------------------------------------------------------------
+# Files
 
 
 def _readLines(path):
@@ -347,7 +347,7 @@ def writeColumns(motion, path):
 			file.write(" ".join(f"{value:.12g}" for value in (time, *row)) + "\n")
 
 
-# ---- the synthetic motion --------------------------------------------------------------------------------------------------------
+# The synthetic motion
 
 
 def velocityPulse(times, amplitude, period, centre, cycles=1.2, phase=0.5 * math.pi):

@@ -113,7 +113,7 @@ def pictureSeries(
 	figure.savefig(path, format="png")
 
 
-# ---- what is given ---------------------------------------------------------------------------------------------------------------
+# What is given
 
 
 def _checkedPatch(brick, index):
@@ -165,7 +165,7 @@ def _limitsAround(bricks, plane, ground, up):
 	return low[0] - margin, high[0] + margin, bottom - strip, high[1] + margin
 
 
-# ---- drawing order ---------------------------------------------------------------------------------------------------------------
+# Drawing order
 
 
 def _faceNormals(corners):
@@ -220,7 +220,7 @@ def _topologicalOrder(front, depth):
 	return order
 
 
-# ---- drawing ---------------------------------------------------------------------------------------------------------------------
+# Drawing
 
 
 def _drawBricks(ax, bricks, plane, toward, scale):
@@ -367,7 +367,7 @@ def _legendBelow(figure, handles, labels):
 	figure.legend(handles, labels, loc="lower center", ncol=min(len(labels), 6), frameon=False, fontsize=_fontSize)
 
 
-# ---- histories -------------------------------------------------------------------------------------------------------------------
+# Histories
 
 _lineColors = ("#1f4e79", "#c0562f", "#3d7a4a", "#7b4b94", "#8a6d1f", "#555555")
 

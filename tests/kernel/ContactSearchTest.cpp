@@ -289,7 +289,7 @@ TEST(ContactSearchTest, pairs_that_one_face_parts_are_told_at_once)
 		}
 }
 
-// ------------------------------------------------------------------------------------------------------ refined bodies
+// Refined bodies
 
 namespace {
 

@@ -107,7 +107,7 @@ Real overlapOf(const Body& a, const Body& b)
 
 } // namespace
 
-// ------------------------------------------------------------------------------------------------------- face on face
+// Face on face
 
 TEST(ContactTest, normal_force_of_flat_faces_is_kn_times_the_integral_of_penetration)
 {
@@ -293,7 +293,7 @@ TEST(ContactTest, voussoirs_press_on_their_radial_faces)
 	}
 }
 
-// ---------------------------------------------------------------------------------------------------- edges and corners
+// Edges and corners
 
 namespace {
 
@@ -388,7 +388,7 @@ TEST(ContactTest, force_grows_continuously_from_zero_in_every_way_of_touching)
 	}
 }
 
-// --------------------------------------------------------------------------------------------------------- symmetries
+// Symmetries
 
 namespace {
 
@@ -538,7 +538,7 @@ TEST(ContactTest, spots_come_in_the_order_of_their_keys)
 	}
 }
 
-// ------------------------------------------------------------------------------------------------ friction and dashpot
+// Friction and dashpot
 
 namespace {
 
@@ -667,7 +667,7 @@ TEST(ContactTest, rates_of_the_nodes_and_of_the_rotation_count_as_motion)
 	EXPECT_LT((r.step(dt).force() - Vector3r(0, 0, weight)).norm(), 1e-6 * weight); // the bed is a depth thick
 }
 
-// ---------------------------------------------------------------------------------------------------- end of a joint
+// End of a joint
 
 namespace {
 
@@ -728,7 +728,7 @@ TEST(ContactTest, force_is_continuous_when_cells_of_joint_and_contact_do_not_mat
 	}
 }
 
-// ------------------------------------------------------------------------------------------------------ refined bodies
+// Refined bodies
 
 namespace {
 

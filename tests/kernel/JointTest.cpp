@@ -139,7 +139,7 @@ void expectBalance(const Pair& p, const Pair::Answer& a, Real scale)
 
 } // namespace
 
-// ---------------------------------------------------------------------------------------------------------- geometry
+// Geometry
 
 TEST(JointTest, full_overlap_of_two_cubes_gives_n_by_n_equal_segments)
 {
@@ -296,7 +296,7 @@ TEST(JointTest, joint_is_free_of_stress_when_made)
 	}
 }
 
-// ------------------------------------------------------------------------------------------------------------ forces
+// Forces
 
 TEST(JointTest, uniform_opening_gives_kn_times_area_times_opening)
 {
@@ -570,7 +570,7 @@ TEST(JointTest, joint_fails_when_and_only_when_a_segment_does)
 	EXPECT_LT(failed, 250);
 }
 
-// ----------------------------------------------------------------------------------------------------------- failure
+// Failure
 
 namespace {
 

@@ -64,7 +64,7 @@ class FindingsTest(unittest.TestCase):
 		walls.update({tuple(key.split("_")): runs for key, runs in changed.items()})
 		return {entry.number: entry.verdict for entry in findings.findings(walls)}
 
-	# ---- cracks
+	# Cracks
 
 	def test_head_joint_is_open_when_it_gapes_by_more_than_the_limit(self):
 		intact, course = wallCorners()
@@ -86,7 +86,7 @@ class FindingsTest(unittest.TestCase):
 		self.assertEqual(self.outcome(shapes=[intact, cracked]).diagonalCrack(), (4, 1.0))
 		self.assertEqual(self.outcome(shapes=[intact, cracked], collapse=0.9).diagonalCrack(), (0, None))
 
-	# ---- verdicts
+	# Verdicts
 
 	def test_spread_is_seen_only_in_deform(self):
 		wide, still = [self.outcome(spread=1e-4)], [self.outcome(spread=1e-17)]
@@ -124,7 +124,7 @@ class FindingsTest(unittest.TestCase):
 		self.assertEqual(self.verdicts(**stands)[6], "not seen")
 		self.assertEqual(self.verdicts(**stands, english_deform_y=runs[4.0])[6], "not seen")
 
-	# ---- texts
+	# Texts
 
 	def test_times_are_given_with_their_range(self):
 		self.assertEqual(findings.spanText([2.0]), "2.00 s")

@@ -37,7 +37,7 @@ def readCases(folder):
 	return sorted(cases, key=lambda case: (order.get(case['group'], len(GROUPS)), case['group'], case['module'], case['case']))
 
 
-# ---- result.json -----------------------------------------------------------------------------------------------------------------
+# result.json
 
 
 def judgedRows(cases, unused):
@@ -65,7 +65,7 @@ def unusedReferences(cases):
 	return [row['id'] for row in references() if row['id'] not in used and 'notJudged' not in row]
 
 
-# ---- report.md -------------------------------------------------------------------------------------------------------------------
+# report.md
 
 
 def cell(text):
@@ -184,7 +184,7 @@ def writeReport(out, cases, figures, unused):
 	return path
 
 
-# ---- plots -----------------------------------------------------------------------------------------------------------------------
+# Plots
 
 
 def draw(out, case):

@@ -104,7 +104,7 @@ class WallModel:
 			kinds += [kind] * len(i.phys.segmentArea)
 		self.points, self.areas, self.kinds = np.array(points), np.array(areas), np.array(kinds)
 
-	# ---- what the references list
+	# What the references list
 
 	def at(self, point, below=False):
 		"""Displacement of a point, from the trilinear fields of the parts that it belongs to (below: only of those whose centre is below it)."""

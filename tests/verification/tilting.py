@@ -82,7 +82,7 @@ def standsAt(tops, degrees, lean, axis=0, seconds=.6):
 	return steps == 0
 
 
-# ---- statics of a stack -------------------------------------------------------------------------------------------------------------
+# Statics of a stack
 
 
 def pressedJoint(force, offset, length, segments):

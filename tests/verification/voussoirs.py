@@ -36,7 +36,7 @@ class Voussoir:
 		return (self.sectorCentre - self.centre) * math.sin(angle)
 
 
-# ---- scene --------------------------------------------------------------------------------------------------------------------------
+# Scene
 
 
 class Arch:
@@ -85,7 +85,7 @@ class Arch:
 		return True
 
 
-# ---- limit analysis -----------------------------------------------------------------------------------------------------------------
+# Limit analysis
 
 
 def rigidArchStands(count, thickness):
@@ -112,7 +112,7 @@ def thinnestRigid(count):
 	return stands
 
 
-# ---- exact statics ------------------------------------------------------------------------------------------------------------------
+# Exact statics
 
 
 def turned(angle, v):
@@ -219,7 +219,7 @@ class StaticArch:
 		return None
 
 
-# ---- cases --------------------------------------------------------------------------------------------------------------------------
+# Cases
 
 
 class ThinnestArch(Case):

@@ -71,7 +71,7 @@ def probe(o, **members):
 			expect(what, read(at, 'Q')[0], address(v))
 
 
-# ------------------------------------------------------------------------------------------------------------------ single objects
+# Single objects
 probe(Sphere(), color=(64, 'vector'), wire=(88, 'bool'), highlight=(89, 'bool'), radius=(96, 'real'))
 probe(Box(), extents=(96, 'vector'))
 probe(Wall(), sense=(92, 'int'), axis=(96, 'int'))
@@ -142,7 +142,7 @@ e = TranslationEngine(ids=[5, 6, 7])
 first, last = read(address(e) + 104, 'QQ')
 expect('PartialEngine.ids', read(first, '%di' % ((last - first) // 4)), (5, 6, 7))
 
-# ---------------------------------------------------------------------------------------------------- scene and containers, running
+# Scene and containers, running
 O.bodies.append([utils.sphere((0, 0, 0), 1), utils.sphere((1.5, 0, 0), 1)])
 O.trackEnergy = True
 O.energy['probe'] = 3.25

@@ -395,7 +395,7 @@ BRICK_INLINE ContactSpot& addSpot(const FacePair& pair, int segment, int otherFa
 	return spot;
 }
 
-// ------------------------------------------------------------------------------------------------ segments that are cut
+// Segments that are cut
 
 /// A segment that is cut, or that is nearest to more than one face. Only the faces that matter to it are carried along.
 class CutSegment {
@@ -495,7 +495,7 @@ __attribute__((noinline)) void addCutSegment(const FacePair& pair, const Vertice
 	CutSegment(pair, vertices, start).addSpots(spots);
 }
 
-// ------------------------------------------------------------------------------------------------- eight segments at once
+// Eight segments at once
 
 /// Eight segments, mostly neighbours in a row.
 struct EightSegments {
@@ -666,7 +666,7 @@ BRICK_INLINE void EightSpots::set(const FacePair& pair, const EightSegments& seg
 	storeLanes(area, pair.weight * cosine * middle.area);
 }
 
-// --------------------------------------------------------------------------------------------------------------- search
+// Search
 
 /// How segments touch: as a whole, cut by one face, or otherwise.
 enum class Touch : signed char { None, Whole, CutOnce, Other };

@@ -36,7 +36,7 @@ namespace {
 		return face;
 	}
 
-	// --- surfaces of one cell a face: exact ---
+	// Surfaces of one cell a face: exact
 
 	constexpr int largestSize = 6 + modeCount;
 	using Square              = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, largestSize, largestSize>;
@@ -81,7 +81,7 @@ namespace {
 		return { solver.eigenvalues()[size - 1], faceOfMost([&](int f) { return fastest.dot(byFace[f] * fastest); }) };
 	}
 
-	// --- surfaces of several cells ---
+	// Surfaces of several cells
 
 	constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
