@@ -46,9 +46,16 @@ namespace {
 
 	string textOf(const brick::InnerPartType& type)
 	{
-		const auto* const level = nameOf(type.deformation, deformations);
 		return brick::message(
-		        level, ", ", nameOf(type.element, elements), ", ", nameOf(type.inner, inners), ", r = ", type.thickness, ", cells = ", type.cells);
+		        nameOf(type.deformation, deformations),
+		        ", ",
+		        nameOf(type.element, elements),
+		        ", ",
+		        nameOf(type.inner, inners),
+		        ", r = ",
+		        type.thickness,
+		        ", cells = ",
+		        type.cells);
 	}
 
 	brick::Nodes nodesOf(const std::vector<Vector3r>& corners)
@@ -200,6 +207,7 @@ const brick::InnerPart* Brick::innerPart(const BrickMat& material)
 	if (!isDeformable()) return nullptr;
 	if (isReady(material)) return inside.get();
 	brick::InnerPartType type = innerPartType(checked, solid->corners);
+	type.thickness            = contactLength[0]; // as last found right
 	type.young                = material.young;
 	type.poisson              = material.poisson;
 	type.density              = material.density;

@@ -116,8 +116,10 @@ BrickTimeStepper::Step BrickTimeStepper::stepOf(const Body& b, Brick& shape, con
 	for (const auto& c : shape.solid->corners)
 		key.insert(key.end(), c.data(), c.data() + 3);
 	if (inner) {
-		const auto& type = inner->cells > 1 ? inner->surfaceMasses : inner->modes.omegaSquared;
-		key.insert(key.end(), type.begin(), type.end());
+		// the lowest modes tell refined parts apart
+		const auto& modes = inner->modes.omegaSquared;
+		key.push_back(inner->cells);
+		key.insert(key.end(), modes.begin(), modes.begin() + std::min<std::size_t>(modes.size(), brick::modeCount));
 	}
 	if (shared.size() > mostShared) shared.clear();
 	auto found = shared.find(key);

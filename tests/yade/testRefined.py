@@ -85,6 +85,21 @@ class Asked(unittest.TestCase):
 			b.shape.cells = 4
 		self.assertIn('deformed cannot change', str(caught.exception))
 
+	def test_a_refused_change_leaves_the_brick_as_it_was(self):
+		material = clay()
+		O.materials.append(material)
+		O.bodies.append(utils.wall(0, axis=2, sense=1, material=material))
+		b = O.bodies[O.bodies.append(brick((SIDE,) * 3, center=(0, 0, SIDE / 2 - 1e-5), material=material, deformation='refined'))]
+		engines()
+		O.run(5, True)
+		for attribute, value in (('cells', 4), ('contactThickness', .01), ('deformation', 'rigid')):
+			with self.assertRaises(ValueError):
+				setattr(b.shape, attribute, value)
+		material.young *= 1.01
+		O.run(5, True)
+		self.assertEqual(len(b.shape.displacement), 26)
+		self.assertTrue(all(math.isfinite(x) for x in b.shape.stress()))
+
 	def test_help_says_what_cells_are(self):
 		self.assertIn('Elements along each edge', Brick.cells.__doc__)
 
