@@ -138,9 +138,7 @@ namespace {
 
 Brick::Checked Brick::checkedAttributes() const
 {
-	const Checked found {
-		fromName("deformation", deformation, deformations), fromName("element", element, elements), fromName("inner", inner, inners), cells
-	};
+	Checked found { fromName("deformation", deformation, deformations), fromName("element", element, elements), fromName("inner", inner, inners), 1, contactThickness };
 	if (segments < 1 || segments > brick::largestSegments)
 		throw std::invalid_argument("Brick.segments: " + std::to_string(segments) + "; allowed is 1 to " + std::to_string(brick::largestSegments));
 	if (found.deformation != brick::Deformation::Refined) return found;
@@ -149,6 +147,7 @@ Brick::Checked Brick::checkedAttributes() const
 	if (segments % cells != 0)
 		throw std::invalid_argument(
 		        brick::message("Brick.segments: ", segments, " segments with cells = ", cells, "; the segments of a refined brick must be a multiple of its cells"));
+	found.cells = cells;
 	return found;
 }
 
@@ -179,8 +178,8 @@ brick::InnerPartType Brick::innerPartType(const Checked& as, const brick::Nodes&
 	type.deformation = as.deformation;
 	type.element     = as.element;
 	type.inner       = as.inner;
-	type.thickness   = contactThickness;
-	type.cells       = as.deformation == brick::Deformation::Refined ? as.cells : 1;
+	type.thickness   = as.thickness;
+	type.cells       = as.cells;
 	return type;
 }
 
@@ -207,7 +206,6 @@ const brick::InnerPart* Brick::innerPart(const BrickMat& material)
 	if (!isDeformable()) return nullptr;
 	if (isReady(material)) return inside.get();
 	brick::InnerPartType type = innerPartType(checked, solid->corners);
-	type.thickness            = contactLength[0]; // as last found right
 	type.young                = material.young;
 	type.poisson              = material.poisson;
 	type.density              = material.density;

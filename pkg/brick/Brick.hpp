@@ -24,8 +24,8 @@ public:
 
 	bool isDeformable() const { return checked.deformation != brick::Deformation::Rigid; }
 
-	/// Whether this brick and a body were laid edge to edge and this one's joints all hold (see whole).
-	bool isHeldBeside(int id) const { return whole && std::find(beside.begin(), beside.end(), id) != beside.end(); }
+	/// Whether this brick and another were laid edge to edge and all joints of both hold (see whole).
+	bool isHeldApartFrom(const Brick& other, int id) const { return whole && other.whole && std::find(beside.begin(), beside.end(), id) != beside.end(); }
 
 	/// An ordinary contact bears on this brick in the given step. May be called by several threads.
 	void noteContact(long step)
@@ -58,7 +58,7 @@ public:
 	/// Deforms it at rest.
 	void setAmplitudes(const std::vector<Real>&);
 
-	int                   surfaceCells() const { return checked.deformation == brick::Deformation::Refined ? checked.cells : 1; } ///< along each edge of a face
+	int                   surfaceCells() const { return checked.cells; } ///< along each edge of a face
 	int                   surfaceNodes() const { return brick::surfaceGrid(surfaceCells()).size(); }
 	Vector3r              deformedNode(int a) const; ///< of the surface, the corners first; body axes [m]
 	std::vector<Vector3r> innerNodes() const;        ///< surface of the inner part at rest, body axes [m]; the corners of a rigid brick
@@ -117,7 +117,8 @@ private:
 		brick::Deformation deformation = brick::Deformation::Trilinear;
 		brick::Element     element     = brick::Element::Full;
 		brick::Inner       inner       = brick::Inner::Inset;
-		int                cells       = 1; // of a refined brick
+		int                cells       = 1; // 1 unless refined
+		Real               thickness   = NaN;
 	};
 	Checked                            checked;
 	shared_ptr<const brick::InnerPart> inside;

@@ -138,7 +138,7 @@ bool Ig2_Brick_Brick_BrickGeom::go(
 		updateJoint(shape0.placement(position0, state0), other.placement(position, state), phys->joint, geom);
 		return true;
 	}
-	if (!phys && !force && first.isHeldBeside(I->getId2()) && second.whole) return false;
+	if (!phys && !force && first.isHeldApartFrom(second, I->getId2())) return false;
 	if (!updateContact(shape0.side(position0, state0), other.side(position, state), force, I)) return false;
 	static_cast<BrickGeom&>(*I->geom).reversed = reversed;
 	return true;

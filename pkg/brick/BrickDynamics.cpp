@@ -181,7 +181,7 @@ void BrickDynamics::dropHeldApart()
 			if (I->geom || I->phys) continue;
 			const auto & a = Body::byId(I->getId1(), scene), &b = Body::byId(I->getId2(), scene);
 			const Brick *first = a ? asBrick(a->shape) : nullptr, *second = b ? asBrick(b->shape) : nullptr;
-			if (first && second && second->whole && first->isHeldBeside(I->getId2())) dropped.emplace_back(I->getId1(), I->getId2());
+			if (first && second && first->isHeldApartFrom(*second, I->getId2())) dropped.emplace_back(I->getId1(), I->getId2());
 		}
 		for (const auto& pair : dropped)
 			if (const auto I = interactions.find(pair.first, pair.second)) interactions.erase(pair.first, pair.second, I->linIx);

@@ -155,10 +155,8 @@ stepJoint(Joint& joint, const PairSprings& springs, const Body& first, const Bod
 inline void fail(Joint& joint, int segment, SegmentState mode)
 {
 	makeSegments(joint);
-	auto patch = joint.segments.begin();
-	for (; segment >= patch->count(); ++patch)
-		segment -= patch->count();
-	patch->row(JointSegments::State)[segment] = int(mode);
+	const int patch = takePatch(joint, segment);
+	joint.segments[patch].row(JointSegments::State)[segment] = int(mode);
 	++(mode == SegmentState::Tension ? joint.failures.tension : mode == SegmentState::Shear ? joint.failures.shear : joint.failures.compression);
 }
 inline void failAll(Joint& joint, SegmentState mode)

@@ -224,7 +224,7 @@ private:
 	SurfaceLanes owner, other;
 };
 
-template <class Cells> void addGroups(const Run& run, Vector3r* tractions, Loads& onOwner, Loads& onOther, RunSums& sums)
+template <class Cells> __attribute__((noinline)) void addGroups(const Run& run, Vector3r* tractions, Loads& onOwner, Loads& onOther, RunSums& sums)
 {
 	RunSums local;
 	Cells   cells(run, onOwner, onOther);
@@ -278,8 +278,8 @@ void addOwner(const OwnerAndOther& bodies, bool ownerIsFirst, const OwnerSums& s
 	pair.point += axes * (ownerIsFirst ? Vector3r(sums.place + sums.area * bodies.offset) : sums.place);
 }
 
-template <class Cells>
-void addLoadsOf(
+/// Forces of all spots; the tractions are those of the step before, and become those of this one.
+void addLoads(
         const Side&                     side0,
         const Side&                     side1,
         const std::vector<ContactSpot>& spots,
@@ -299,26 +299,12 @@ void addLoadsOf(
 				++end;
 			const Run run(bodies, &spots[first], int(end - first), springsOf(spots[first], side0, side1, pair), pair.tanFriction, dt);
 			RunSums   lane;
-			addGroups<Cells>(run, tractions + first, loads[owner], loads[!owner], lane);
+			if (run.ownerCells || run.otherCells) addGroups<CellsOfSpots>(run, tractions + first, loads[owner], loads[!owner], lane);
+			else
+				addGroups<WholeFaces>(run, tractions + first, loads[owner], loads[!owner], lane);
 			addRun(run, lane, loads[owner], loads[!owner], sums, sum);
 			first = end;
 		}
 		addOwner(bodies, owner == 0, sums, loads[owner], loads[!owner], sum);
 	}
-}
-
-/// Forces of all spots; the tractions are those of the step before, and become those of this one.
-void addLoads(
-        const Side&                     side0,
-        const Side&                     side1,
-        const std::vector<ContactSpot>& spots,
-        const PairSprings&              pair,
-        Real                            dt,
-        Vector3r*                       tractions,
-        std::array<Loads, 2>&           loads,
-        PairSummary&                    sum)
-{
-	if (side0.cells > 1 || side1.cells > 1) addLoadsOf<CellsOfSpots>(side0, side1, spots, pair, dt, tractions, loads, sum);
-	else
-		addLoadsOf<WholeFaces>(side0, side1, spots, pair, dt, tractions, loads, sum);
 }

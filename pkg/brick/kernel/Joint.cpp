@@ -298,9 +298,7 @@ namespace {
 
 namespace {
 
-	bool near(const CornerVectors& a, const CornerVectors& b, Real by) { return ((a - b).array().abs() <= by).all(); }
-	bool near(const CornerWeights& a, const CornerWeights& b, Real by) { return ((a - b).array().abs() <= by).all(); }
-	bool near(const Vector3r& a, const Vector3r& b, Real by) { return ((a - b).array().abs() <= by).all(); }
+	template <class Matrix> bool near(const Matrix& a, const Matrix& b, Real by) { return ((a - b).array().abs() <= by).all(); }
 
 	/// @param tolerance of lengths [m]   @param share of numbers without a unit
 	bool alike(const JointPatch& a, const JointPatch& b, Real tolerance, Real share)
@@ -327,12 +325,19 @@ bool alike(const JointShape& a, const JointShape& b, Real tolerance)
 	return true;
 }
 
+int takePatch(const Joint& joint, int& index)
+{
+	int patch = 0;
+	for (; index >= joint.shape->patches[patch].count; ++patch)
+		index -= joint.shape->patches[patch].count;
+	return patch;
+}
+
 JointSegment segmentOf(const Joint& joint, int index)
 {
 	JointSegment segment;
-	int          at = index;
-	for (; at >= joint.shape->patches[segment.patch].count; ++segment.patch)
-		at -= joint.shape->patches[segment.patch].count;
+	int          at         = index;
+	segment.patch           = takePatch(joint, at);
 	const JointPatch& patch = joint.shape->patches[segment.patch];
 	if (!patch.cut.empty()) segment = patch.cut[at];
 	else {

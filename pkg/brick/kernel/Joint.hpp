@@ -100,6 +100,8 @@ struct Joint {
 	/// Gives the joint, alone, other springs and strength.
 	void setMortar(const SpotSprings&, const MortarStrength&, const PairSprings& = {});
 };
+/// Patch of a segment, whose number becomes that within the patch.
+int          takePatch(const Joint&, int& index);
 JointSegment segmentOf(const Joint&, int index);
 
 /// Whether two joints could share a shape: lengths differ by round-off only.

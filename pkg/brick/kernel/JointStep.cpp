@@ -208,10 +208,8 @@ namespace {
 
 	Vector2r slipOf(const Joint& joint, int index)
 	{
-		auto patch = joint.segments.begin();
-		for (; index >= patch->count(); ++patch)
-			index -= patch->count();
-		return { patch->row(JointSegments::Slip1)[index], patch->row(JointSegments::Slip2)[index] };
+		const JointSegments& segments = joint.segments[takePatch(joint, index)];
+		return { segments.row(JointSegments::Slip1)[index], segments.row(JointSegments::Slip2)[index] };
 	}
 
 } // namespace
