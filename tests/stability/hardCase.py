@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# What the hard cases share, on top of the verification cases: conserved quantities of a scene, and supports that move or shut a scene in.
+# GROUP of a module is the title of its case; its rows say what is measured and what is allowed.
+import os, sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'verification'))
+from cases import *
+
+
+def bricks():
+	return [b for b in O.bodies if isinstance(b.shape, Brick)]
+
+
+def moving():
+	"""Bodies that forces move."""
+	return [b for b in O.bodies if b.dynamic and b.state.mass > 0]
+
+
+def momentum():
+	"""Linear momentum of what moves [kg m/s]."""
+	return sum((b.state.mass * b.state.vel for b in moving()), Vector3.Zero)
+
+
+def angularMomentum(about=Vector3.Zero):
+	"""Of what moves, about a point of the world [kg m2/s]. Deformation carries none: its modes are free of it."""
+	return sum((b.state.angMom + (b.state.pos - about).cross(b.state.mass * b.state.vel) for b in moving()), Vector3.Zero)
+
+
+def stepByHand(dt):
+	engine(BrickTimeStepper).active = False
+	O.dt = dt
+
+
+def limit():
+	"""BrickTimeStepper's bound for the present scene [s], after at least one step."""
+	return engine(BrickTimeStepper).limit
