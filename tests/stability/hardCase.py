@@ -5,6 +5,7 @@ import os, sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'verification'))
 from cases import *
+from yade_brick import rest
 
 
 def bricks():
@@ -34,3 +35,9 @@ def stepByHand(dt):
 def limit():
 	"""BrickTimeStepper's bound for the present scene [s], after at least one step."""
 	return engine(BrickTimeStepper).limit
+
+
+def mechanicalEnergy(gravity=GRAVITY):
+	"""Kinetic energy (half a step before), energy of all springs and deformation, and that of the heights of what moves [J]; after at least one step."""
+	kinetic, elastic = rest.energies([b.shape for b in bricks()])
+	return kinetic + elastic + gravity * sum(b.state.mass * b.state.pos[2] for b in moving())
