@@ -335,6 +335,15 @@ namespace {
 
 } // namespace
 
+/// The ledger of an interaction; null while O.trackEnergy is off. One that has missed a step begins anew.
+PairLedger* Law2_BrickGeom_BrickPhys_Mortar::ledgerOf(BrickPhys& phys) const
+{
+	if (!scene->trackEnergy) phys.ledger.reset();
+	else if (!phys.ledger || phys.step != scene->iter - 1)
+		phys.ledger.reset(new PairLedger);
+	return phys.ledger.get();
+}
+
 void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phys)
 {
 	const Stopwatch                       watch(jointSeconds);
@@ -345,7 +354,10 @@ void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phy
 		const Vector3r& at = second.state->pos;
 		moving             = { sideOfBody(first, geom.supportSolid, at).placement, sideOfBody(second, geom.supportSolid, at).placement };
 	}
-	const auto failures = brick::jointLoads(phys.joint, geom.motion, moving ? &*moving : nullptr, phys.springs().tanFriction, phys.loads, sum);
+	PairLedger* const ledger = ledgerOf(phys);
+	const auto        failures
+	        = brick::jointLoads(phys.joint, geom.motion, moving ? &*moving : nullptr, phys.springs().tanFriction, phys.loads, sum, ledger ? &ledger->joint : nullptr);
+	if (ledger) ledger->energy = ledger->joint.energy;
 	if (phys.joint.shape->faces[0].face < 0) phys.loads.torque[0] += (geom.origin - first.state->pos).cross(phys.loads.forceOn(0));
 	fillReport(sum, geom.origin, geom, phys);
 	if (failures.total() == 0) return;
@@ -364,8 +376,13 @@ void Law2_BrickGeom_BrickPhys_Mortar::applyContact(BrickGeom& geom, BrickPhys& p
 	thread_local brick::ContactMemory scratch;
 	brick::PairSummary                sum;
 	const auto&                       sides = geom.contact->sides;
-	auto&                             loads = phys.contact->loads;
-	brick::contactLoads(sides[0], sides[1], geom.contact->spots, phys.contact->springs, scene->dt, phys.contact->memory, scratch, loads, sum);
+	auto&                             contact = *phys.contact;
+	auto&                             loads = contact.loads;
+	brick::contactLoads(sides[0], sides[1], geom.contact->spots, contact.springs, scene->dt, contact.memory, scratch, loads, sum);
+	if (PairLedger* const ledger = ledgerOf(phys)) {
+		ledger->contact.add(sides[0], sides[1], geom.contact->spots, contact.springs, scene->dt, contact.memory);
+		ledger->energy = ledger->contact.energy;
+	}
 	if (sides[0].support) loads[0].torque += (sides[0].placement.position - Body::byId(phys.ids[0], scene)->state->pos).cross(loads[0].force);
 	fillReport(sum, sides[0].placement.position, geom, phys);
 	for (const Body::id_t id : phys.ids)
@@ -377,12 +394,12 @@ bool Law2_BrickGeom_BrickPhys_Mortar::go(shared_ptr<IGeom>& ig, shared_ptr<IPhys
 	BrickGeom& geom = static_cast<BrickGeom&>(*ig);
 	BrickPhys& phys = static_cast<BrickPhys&>(*ip);
 	phys.ids        = { geom.reversed ? I->getId2() : I->getId1(), geom.reversed ? I->getId1() : I->getId2() };
-	phys.step       = scene->iter;
 	if (phys.isJoint()) applyJoint(geom, phys);
 	else if (geom.contact->spots.empty())
 		return false;
 	else
 		applyContact(geom, phys);
+	phys.step = scene->iter;
 
 	const Real depth = geom.penetration / phys.contactPart;
 	if (depth > 1 && phys.deepest <= 1) {

@@ -7,6 +7,8 @@
 #include "Brick.hpp"
 #include "KernelArchive.hpp"
 
+#include "kernel/PairLedger.hpp"
+
 #include <core/Interaction.hpp>
 #include <core/Scene.hpp>
 #include <pkg/common/Box.hpp>
@@ -57,12 +59,21 @@ template <class Archive> void serialize(Archive& ar, OrdinaryContact& c, unsigne
 	ar& make_nvp("springs", c.springs) & make_nvp("memory", c.memory) & make_nvp("failureModes", c.failureModes);
 }
 
+/// Energy of a joint or contact, while O.trackEnergy.
+struct PairLedger {
+	brick::JointLedger   joint;
+	brick::ContactLedger contact;
+	brick::PairEnergy    energy; // of the present step
+};
+
 class BrickPhys : public FrictPhys {
 public:
 	// what this interaction does to its two bodies in the present step; side 0 as in BrickGeom
 	std::array<Body::id_t, 2> ids { -1, -1 };
 	brick::JointLoads         loads;     // of a joint
 	long                      step = -1; // in which they were computed
+
+	std::unique_ptr<PairLedger> ledger; // null unless energy is tracked
 
 	static long made(); ///< objects of this class made so far in this process: whether there may be new ones
 
@@ -202,8 +213,9 @@ In a joint that has cracked a segment also fails in tension when its edge opens 
 	// clang-format on
 
 private:
-	void applyJoint(BrickGeom&, BrickPhys&);
-	void applyContact(BrickGeom&, BrickPhys&);
+	void        applyJoint(BrickGeom&, BrickPhys&);
+	void        applyContact(BrickGeom&, BrickPhys&);
+	PairLedger* ledgerOf(BrickPhys&) const;
 };
 REGISTER_SERIALIZABLE(Law2_BrickGeom_BrickPhys_Mortar);
 

@@ -2,6 +2,7 @@
 #include "BrickDynamics.hpp"
 
 #include "Prefetch.hpp"
+#include "kernel/Message.hpp"
 
 #include <core/Body.hpp>
 
@@ -139,28 +140,41 @@ void BrickDynamics::prefetchFollowing(int id) const
 }
 
 /// Sums what acts on a body, and moves a brick's deformation on.
-void BrickDynamics::moveOn(Body& b, Sum& sum)
+void BrickDynamics::moveOn(Body& b, BodyStep& step)
 {
-	Brick* shape = asBrick(b.shape);
-	const int first = firstActing[b.getId()], end = firstActing[b.getId() + 1];
-	sum.any         = first < end;
-	sum.released    = false;
-	if (!shape && !sum.any) return;
+	Brick* const   shape = asBrick(b.shape);
+	const int      first = firstActing[b.getId()], end = firstActing[b.getId() + 1];
+	const State&   s     = *b.state;
+	const BodyStep last  = step;
+	step                 = {};
+	step.any             = first < end;
+	step.gained          = last.gained;
+	if (!shape && !step.any && !last.any) return;
 	thread_local brick::NodalVectors nodal; // keeps its room from brick to brick
 	const bool                       deformable = shape && shape->isDeformable();
 	if (deformable) nodal.assign(shape->displacement.size(), Vector3r::Zero());
-	Total total(b.state->ori.toRotationMatrix(), deformable ? &nodal : nullptr);
+	Total total(s.ori.toRotationMatrix(), deformable ? &nodal : nullptr);
 	for (int i = first; i < end; ++i)
 		total.add(static_cast<const BrickPhys&>(*acting[i]), b.getId());
-	sum.force = total.force, sum.torque = total.torque;
-	if (!shape) return;
-	const bool held = shape->joints > 0 && total.holding == shape->joints;
-	sum.released    = shape->whole && !held && !shape->beside.empty();
-	shape->whole    = held;
+	step.force = total.force, step.torque = total.torque;
+	step.work  = lastDt / 2 * ((last.force + step.force).dot(s.vel) + (last.torque + step.torque).dot(s.angVel)) + last.modesAfter;
+	if (shape) moveBrickOn(b, *shape, nodal, step, total.holding);
+}
+
+/// @param holding joints of the brick all of whose segments hold
+void BrickDynamics::moveBrickOn(Body& b, Brick& shape, const brick::NodalVectors& nodal, BodyStep& step, int holding)
+{
+	const bool held = shape.joints > 0 && holding == shape.joints;
+	step.released   = shape.whole && !held && !shape.beside.empty();
+	shape.whole     = held;
 	// rates of the nodes are for dashpots: of joints that have cracked, and of contact
-	const bool dashpots = !shape->whole || shape->contactStep == scene->iter;
-	if (deformable) shape->advance(nodal, static_cast<const BrickMat&>(*b.material).dampingRatio, damping, scene->dt, dashpots);
-	if (!scene->doSort && !scene->isPeriodic) askForNewBounds(b, *shape);
+	const bool dashpots = !shape.whole || shape.contactStep == scene->iter;
+	if (shape.isDeformable()) {
+		brick::ModeEnergy* const energy = scene->trackEnergy ? &energyLedger.modes[b.getId()] : nullptr;
+		const auto work = shape.advance(nodal, static_cast<const BrickMat&>(*b.material).dampingRatio, damping, scene->dt, dashpots, energy);
+		step.work += work[0], step.modesAfter = work[1];
+	}
+	if (!scene->doSort && !scene->isPeriodic) askForNewBounds(b, shape);
 }
 
 /// The collider's strides watch centres only; a brick that turns or bulges out of its box asks for a new run.
@@ -200,32 +214,117 @@ void BrickDynamics::takeUpReleased(const Body& b)
 	}
 }
 
+/// What has to be known before the deformation moves on.
+void BrickDynamics::begin()
+{
+	const std::size_t count = scene->bodies->size();
+	if (lastStep != scene->iter - 1) steps.clear(), lastDt = 0; // begun anew, or loaded
+	steps.resize(count);
+	if (guard && energyGuard.isDue(*scene)) energyGuard.begin(*scene);
+	if (!scene->trackEnergy) return;
+	before = steps;
+	energyLedger.modes.assign(count, {});
+}
+
+void BrickDynamics::give(int id)
+{
+	const BodyStep& step = steps[id];
+	if (step.released) takeUpReleased(*(*scene->bodies)[id]);
+	if (!step.any) return;
+	if (!step.force.allFinite() || !step.torque.allFinite()) {
+		const string cause = stepWatch.problem(*scene);
+		stop(brick::message("the force on body #", id, " is not finite in step ", scene->iter, cause.empty() ? "" : ": ", cause));
+	}
+	scene->forces.addForce(id, step.force);
+	scene->forces.addTorque(id, step.torque);
+}
+
+void BrickDynamics::book()
+{
+	std::vector<const BrickPhys*> once;
+	for (std::size_t id = 0; id < steps.size(); ++id)
+		for (int i = firstActing[id]; i < firstActing[id + 1]; ++i) {
+			const auto& phys = static_cast<const BrickPhys&>(*acting[i]);
+			if (phys.ids[0] == int(id)) once.push_back(&phys);
+		}
+	energyLedger.book(*scene, before, steps, once);
+}
+
+/// Saves the scene and raises an error.
+void BrickDynamics::stop(const string& why) const
+{
+	string saved;
+	if (!stopFile.empty()) try {
+			Omega::instance().saveSimulation(stopFile);
+			saved = "; the scene was saved as '" + stopFile + "'";
+		} catch (const std::exception& problem) {
+			saved = "; the scene could not be saved as '" + stopFile + "': " + problem.what();
+		}
+	throw std::runtime_error("BrickDynamics: " + why + saved);
+}
+
+namespace {
+
+	/// The deepest contact of a body: how deep it has been, by the thickness of the contact part, and the other body.
+	std::pair<Real, Body::id_t> deepestContact(const Body& b)
+	{
+		std::pair<Real, Body::id_t> deepest { 0, -1 };
+		for (const auto& item : b.intrs) {
+			const BrickPhys* phys = asBrickPhys(item.second->phys);
+			if (phys && phys->deepest > deepest.first) deepest = { phys->deepest, item.first };
+		}
+		return deepest;
+	}
+
+} // namespace
+
+string BrickDynamics::textOf(const EnergyGuard::Gain& found)
+{
+	string      cause = stepWatch.problem(*scene);
+	const auto& body  = Body::byId(found.body, scene);
+	if (const auto deepest = deepestContact(*body); cause.empty() && deepest.first > 1)
+		cause = brick::message(
+		        "bodies #", found.body, " and #", deepest.second, " have been inside each other by ", deepest.first, " contact parts; were they put so?");
+	if (cause.empty())
+		cause = "neither the time step nor deep contact accounts for it; were bodies, materials or joints changed during the run?";
+	return brick::message(
+	        "joints and contacts have made energy from nothing: ",
+	        found.work,
+	        " J of work on the bodies within ",
+	        found.steps,
+	        " steps, where springs and bricks held ",
+	        found.held,
+	        " J; body #",
+	        found.body,
+	        " gained most. Likely cause: ",
+	        cause,
+	        ". BrickDynamics.guard = False lets it run on");
+}
+
 void BrickDynamics::action()
 {
+	if (const auto found = std::exchange(gain, {}); found && guard) stop(textOf(*found));
 	prepare();
+	stepWatch.look(*scene);
 	if (!isCurrent()) findActing();
-	const int count = int(scene->bodies->size());
-	sums.resize(count);
+	begin();
+	const int  count = int(steps.size());
 	const bool large = isLarge(*scene);
 #pragma omp parallel for schedule(static) if (count > worthThreads)
 	for (int id = 0; id < count; ++id) {
 		if (large) prefetchFollowing(id);
-		if (const auto& b = (*scene->bodies)[id]; b && b->shape) moveOn(*b, sums[id]);
+		if (const auto& b = (*scene->bodies)[id]; b && b->shape) moveOn(*b, steps[id]);
 		else
-			sums[id].any = sums[id].released = false;
+			steps[id] = {};
 	}
 	dropHeldApart();
 	// one thread writes all forces, so that sums with other engines' forces have one order too
-	for (int id = 0; id < count; ++id) {
-		if (sums[id].released) takeUpReleased(*(*scene->bodies)[id]);
-		if (!sums[id].any) continue;
-		if (!sums[id].force.allFinite() || !sums[id].torque.allFinite())
-			throw std::runtime_error(
-			        "BrickDynamics: the force on body #" + std::to_string(id) + " is not finite in step " + std::to_string(scene->iter)
-			        + "; is the time step above the limit (BrickTimeStepper.limit)?");
-		scene->forces.addForce(id, sums[id].force);
-		scene->forces.addTorque(id, sums[id].torque);
-	}
+	for (int id = 0; id < count; ++id)
+		give(id);
+	if (guard) gain = energyGuard.add(*scene, steps);
+	if (scene->trackEnergy) book();
+	lastStep = scene->iter;
+	lastDt   = scene->dt;
 }
 
 } // namespace yade

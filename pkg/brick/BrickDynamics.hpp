@@ -3,7 +3,9 @@
 // Stands between InteractionLoop and NewtonIntegrator.
 #pragma once
 
-#include "BrickContact.hpp"
+#include "EnergyGuard.hpp"
+#include "EnergyLedger.hpp"
+#include "StepWatch.hpp"
 
 #include <core/GlobalEngine.hpp>
 
@@ -17,18 +19,24 @@ public:
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS(BrickDynamics, GlobalEngine, R"(Forces and torques of all joints and contacts of bricks, summed for each body over its interactions in the order of ids (so that results do not depend on the number of threads), and one step of every brick's deformation modes, eqs. (17), (18). Must stand after :yref:`InteractionLoop` and before :yref:`NewtonIntegrator`, which moves the bricks as rigid bodies.
 
-Raises an error, naming the body, when a brick lacks what it needs or a force is not finite.)",
+Looks after the run: warns, once, when :yref:`O.dt<Omega.dt>` was set by hand above the stable limit, and stops a run whose joints and contacts make energy from nothing (see :yref:`guard<BrickDynamics.guard>`). Raises an error, naming the body, when a brick lacks what it needs, a force is not finite, or the guard has found something; in the last two cases the scene is saved first.
+
+While :yref:`O.trackEnergy<Omega.trackEnergy>`, ``O.energy`` gets, besides what YADE books itself (``kinetic``, ``gravWork``, ``nonviscDamp``) [J]: ``elastPotential`` of joints and contacts, ``deformElastic`` and ``deformKinetic`` of the bricks' deformation, and what was taken up to now: ``fracture``, ``plastDissip`` (friction), ``dashpots`` (of joints and contacts), ``deformDamping``, ``contactArea`` (shear of contacts whose area changes: the one amount that may also fall, energy from nothing); less what came in: ``supportWork`` through bodies that forces do not move, ``groundWork`` of :yref:`GroundMotion`. ``kinetic`` is moved on to the present step. ``O.energy.total()`` then stays constant but for the errors of a step; forces that other engines or scripts apply are not in it, and it is not exact over a change of :yref:`O.dt<Omega.dt>`, nor over saving and loading (work of dashpots in half a step).)",
 		((Real, damping, 0, Attr::triggerPostLoad, "Local non-viscous damping of the modes [-], 0 to 1 exclusive, as :yref:`NewtonIntegrator.damping` for the rigid motion; 0 for dynamics."))
+		((bool, guard, true, , "Whether to stop when, within at most 1000 steps, joints and contacts have done more work on the bodies than their springs and the bricks held, by half of all energy there is to be had: the sign of an unstable time step, or of bricks that were put into each other."))
+		((string, stopFile, "stopped.yade.gz", , "File that the scene is saved to when a run is stopped; empty: it is not saved."))
 	);
 	// clang-format on
 
 private:
-	struct Sum {
-		Vector3r force, torque;
-		bool     any;      // some joint or contact acts on the body
-		bool     released; // a brick that its joints hold apart from others no more
-	};
-	std::vector<Sum> sums; // by id
+	std::vector<BodyStep> steps, before; // by id: this step, and the one before while energy is tracked
+	long                  lastStep = -2; // that `steps` is of
+	Real                  lastDt   = 0;
+
+	EnergyGuard                       energyGuard;
+	std::optional<EnergyGuard::Gain>  gain; // that the last step has found: the run stops before the next one changes anything
+	EnergyLedger                      energyLedger;
+	StepWatch                         stepWatch;
 
 	// Who acts on each body, in the order of the others' ids, one body after the other: the maps of interactions are spread over the memory, and reading them in
 	// every step would cost more than all sums. Found anew when there may be new interactions, or when one was not computed in this step.
@@ -42,10 +50,16 @@ private:
 	bool isCurrent() const;
 	void findActing();
 	void prefetchFollowing(int id) const;
-	void moveOn(Body&, Sum&);
+	void begin();
+	void moveOn(Body&, BodyStep&);
+	void moveBrickOn(Body&, Brick&, const brick::NodalVectors&, BodyStep&, int holding);
+	void give(int id);
+	void book();
 	void askForNewBounds(const Body&, const Brick&) const;
 	void dropHeldApart();
 	void takeUpReleased(const Body&);
+	[[noreturn]] void stop(const string& why) const;
+	string            textOf(const EnergyGuard::Gain&);
 };
 REGISTER_SERIALIZABLE(BrickDynamics);
 

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Time step from a proven bound on the frequencies of the present assembly: kernel/StableStep.
+// Time step from a proven bound on the frequencies of the present assembly: StepLimit.
 #pragma once
 
-#include "BrickContact.hpp"
+#include "StepLimit.hpp"
 
 #include <core/TimeStepper.hpp>
-
-#include <map>
-#include <vector>
 
 namespace yade {
 
@@ -28,32 +25,7 @@ The step never grows during a run, so that a run continued from a file takes the
 	// clang-format on
 
 private:
-	/// Stiffest partners that one brick has joints or contact with: compliance per area beyond the brick's own [m/Pa], of bodies that move and of bodies that are held.
-	struct Partners {
-		std::array<Real, 2>                normal, shear; // moving, held
-		Real                               dashpotTime;
-		std::array<Real, brick::faceCount> coverage; // how often each face is covered at present: 0 where bare, otherwise 1, or more where partners overlap
-		bool                               operator==(const Partners& o) const
-		{
-			return normal == o.normal && shear == o.shear && dashpotTime == o.dashpotTime && coverage == o.coverage;
-		}
-	};
-	struct Step {
-		Real seconds = std::numeric_limits<Real>::infinity();
-		int  face    = -1;
-	};
-	/// What a brick was counted with.
-	struct Known {
-		Real     young = 0, poisson = 0, mass = 0;
-		Partners partners {};
-		bool     isOf(const BrickMat& m, const State& s) const { return young == m.young && poisson == m.poisson && mass == s.mass; }
-	};
-	std::vector<Known>                known;  // by id
-	std::map<std::vector<Real>, Step> shared; // steps of bricks alike
-
-	static Partners partnersOf(const Body&, const Brick&, const BrickMat&, Scene*);
-	Step            stepOf(const Body&, Brick&, const BrickMat&, const Partners&);
-	void            count(const Body&, Brick&, const BrickMat&, Scene*);
+	StepLimit present;
 };
 REGISTER_SERIALIZABLE(BrickTimeStepper);
 

@@ -21,17 +21,51 @@ void GroundMotion::postLoad(GroundMotion&)
 void GroundMotion::action()
 {
 	if (acceleration.empty()) throw std::invalid_argument("GroundMotion.acceleration: no samples given; at least 2 are needed");
-	if (ids.empty()) {
-		const Vector3r z = motion.acceleration(scene->time);
-		if (z == Vector3r::Zero()) return;
+	if (ids.empty()) push();
+	else
+		moveBase();
+}
+
+namespace {
+	bool isFree(const shared_ptr<Body>& b) { return b && b->isDynamic() && b->state->mass > 0; }
+}
+
+void GroundMotion::push()
+{
+	const Vector3r z = motion.acceleration(scene->time);
+	if (scene->trackEnergy) bookWork(z);
+	if (z == Vector3r::Zero()) return;
+	for (const auto& b : *scene->bodies)
+		if (isFree(b)) scene->forces.addForce(b->getId(), -b->state->mass * z);
+}
+
+/// Work since the step before: mean of the accelerations at both ends times the displacement between.
+void GroundMotion::bookWork(const Vector3r& z)
+{
+	if (lastStep == scene->iter - 1) {
+		Vector3r momentum = Vector3r::Zero();
 		for (const auto& b : *scene->bodies)
-			if (b && b->isDynamic() && b->state->mass > 0) scene->forces.addForce(b->getId(), -b->state->mass * z);
-		return;
+			if (isFree(b)) momentum += b->state->mass * b->state->vel;
+		int id = -1;
+		scene->energy->add(lastDt / 2 * (lastAcceleration + z).dot(momentum), "groundWork", id);
 	}
+	lastStep         = scene->iter;
+	lastDt           = scene->dt;
+	lastAcceleration = z;
+}
+
+void GroundMotion::moveBase()
+{
 	const Vector3r velocity = (motion.displacement(scene->time + scene->dt) - motion.displacement(scene->time)) / scene->dt;
 	for (const int id : ids) {
 		if (!scene->bodies->exists(id)) throw std::invalid_argument("GroundMotion.ids: there is no body #" + std::to_string(id));
-		Body::byId(id, scene)->state->vel = velocity;
+		State& s = *Body::byId(id, scene)->state;
+		if (scene->trackEnergy) {
+			// YADE counts the kinetic energy of bodies that forces do not move; BrickDynamics has taken it out, with the velocity that they had
+			int entry = -1;
+			scene->energy->add(s.mass / 2 * (s.vel.squaredNorm() - velocity.squaredNorm()), "kinetic", entry, true);
+		}
+		s.vel = velocity;
 	}
 }
 

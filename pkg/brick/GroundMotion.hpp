@@ -35,6 +35,15 @@ Without ``ids`` the scene is seen from the ground: every body that is free to mo
 
 private:
 	brick::Accelerogram motion;
+
+	// of the step before, while energy is tracked
+	long     lastStep = -2;
+	Real     lastDt   = 0;
+	Vector3r lastAcceleration { Vector3r::Zero() };
+
+	void push();
+	void bookWork(const Vector3r& acceleration);
+	void moveBase();
 };
 REGISTER_SERIALIZABLE(GroundMotion);
 

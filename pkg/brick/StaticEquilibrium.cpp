@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "StaticEquilibrium.hpp"
 
+#include "Gravity.hpp"
+
 #include <core/Body.hpp>
 #include <core/Scene.hpp>
 
 #include "kernel/Message.hpp"
-
-#include <boost/python/dict.hpp>
-#include <boost/python/extract.hpp>
 
 namespace yade {
 
@@ -21,24 +20,10 @@ void StaticEquilibrium::postLoad(StaticEquilibrium&)
 		throw std::invalid_argument(brick::message("StaticEquilibrium.gravity: (", gravity.transpose(), "); must be finite"));
 }
 
-namespace {
-
-	/// NewtonIntegrator's class is the host's: its attribute is read as Python does, for which an engine in the loop needs Python's lock.
-	Vector3r gravityOf(const Engine& newton)
-	{
-		const PyGILState_STATE state = PyGILState_Ensure();
-		const Vector3r         found = boost::python::extract<Vector3r>(newton.pyDict()["gravity"])();
-		PyGILState_Release(state);
-		return found;
-	}
-
-} // namespace
-
 Vector3r StaticEquilibrium::presentGravity() const
 {
 	if (gravity.allFinite()) return gravity;
-	for (const auto& engine : scene->engines)
-		if (engine->getClassName() == "NewtonIntegrator") return gravityOf(*engine);
+	if (const auto found = gravityOf(*scene)) return *found;
 	throw std::invalid_argument("StaticEquilibrium.gravity is not given, and O.engines has no NewtonIntegrator to take it from");
 }
 

@@ -58,6 +58,20 @@ public:
 		return area;
 	}
 
+	/// The values where the force of a pressure proportional to minus an entry, which is nowhere above zero, acts. Not changed when there is no pressure.
+	void weightedCentroid(int entry, Vertex& centroid) const
+	{
+		Vertex sum = Vertex::Zero();
+		Real   all = 0;
+		for (int i = 1; i + 1 < outline.count; ++i) {
+			const Vertex &a = vertices[outline.order[0]], &b = vertices[outline.order[i]], &c = vertices[outline.order[i + 1]];
+			const Real    triangle = (b - a).template head<3>().cross((c - a).template head<3>()).norm(), mean = a[entry] + b[entry] + c[entry];
+			sum += triangle * ((a[entry] + mean) * a + (b[entry] + mean) * b + (c[entry] + mean) * c);
+			all += triangle * 4 * mean;
+		}
+		if (all < 0) centroid = sum / all;
+	}
+
 private:
 	static constexpr int capacity = 4 + 4 * cuts;
 	static_assert(capacity < 128, "numbers of vertices are kept as characters");

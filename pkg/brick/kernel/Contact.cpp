@@ -70,6 +70,18 @@ void contactLoads(
 	if (sum.normal.norm() > 0) sum.normal.normalize();
 }
 
+Real pressedDepth(const ContactSpot& spot, const Side& other)
+{
+	const Face& face = other.solid->faces[spot.otherFace];
+	Real        top  = face.offset;
+	if (other.placement.displacement) {
+		const SurfaceSpot at = surfaceGrid(other.cells).locate(spot.otherFace, spot.otherNatural[0], spot.otherNatural[1]);
+		for (int a = 0; a < 4; ++a)
+			top += at.weights[a] * face.normal.dot(other.placement.displacement[at.nodes[a]]);
+	}
+	return top - face.normal.dot(spot.position);
+}
+
 Real contactEnergy(const Side& side0, const Side& side1, const std::vector<ContactSpot>& spots, const PairSprings& pair, const ContactMemory& memory)
 {
 	ContactMemory recalled;
@@ -77,7 +89,8 @@ Real contactEnergy(const Side& side0, const Side& side1, const std::vector<Conta
 	Real energy = 0;
 	for (std::size_t i = 0; i < spots.size(); ++i) {
 		const SpotSprings k = springsOf(spots[i], side0, side1, pair);
-		energy += spots[i].area / 2 * (k.normal * spots[i].penetration * spots[i].penetration + recalled.tractions[i].squaredNorm() / k.shear);
+		const Real depth = pressedDepth(spots[i], spots[i].owner == 0 ? side1 : side0);
+		energy += spots[i].area / 2 * (k.normal * spots[i].penetration * depth + recalled.tractions[i].squaredNorm() / k.shear);
 	}
 	return energy;
 }

@@ -2,9 +2,9 @@
 // Contact between any two bodies in any position.                                        [Furukawa2014, sections 2.2 (3) and 2.4, eqs. (4), (9)]
 //
 // Each segment of a face of one body (the owner) is cut to the part that lies inside the other body; this part is a spot of contact:
-//   place        centroid of the part
-//   penetration  distance to the nearest face of the other body, along that face's normal; where an edge or a corner of the other body digs in, the
+//   penetration  mean distance to the nearest face of the other body, along that face's normal; where an edge or a corner of the other body digs in, the
 //                segment is divided into the parts that are nearest to each of its faces, a spot each
+//   place        centre of pressure: where the force of a pressure acts that grows with this distance, so that work is done as if on the integral's own potential
 //   area         of the part, times the cosine between the two faces, so that what counts is the footprint on the other body's face
 // Both bodies own spots, each with half its weight, so that the order of the bodies does not matter (a support owns none, and a brick's spots on it
 // count fully). The normal force of two flat faces is therefore the exact integral of penetration over their overlap for any number of segments, and
@@ -30,8 +30,8 @@ struct ContactSpot {
 	int          key; ///< of owner, the two faces and the segment: the same in every step; spots are sorted by it
 	std::uint8_t owner, ownerFace, otherFace;
 	Vector2r     ownerNatural, otherNatural; ///< coordinates on the whole faces
-	Vector3r     position;                   ///< [m]
-	Real         penetration;                ///< [m]
+	Vector3r     position;                   ///< centre of pressure [m]
+	Real         penetration;                ///< mean [m]
 	Real         area;                       ///< footprint times weight [m2]
 };
 
@@ -71,6 +71,9 @@ void contactLoads(
         ContactMemory&                  scratch,
         std::array<Loads, 2>&           loads,
         PairSummary&                    sum);
+
+/// How deep the centre of pressure of a spot is below the other's face [m]: this times the mean penetration is the mean of its square.
+Real pressedDepth(const ContactSpot&, const Side& other);
 
 /// Elastic energy of the springs of all spots, with the shear tractions of the last loads [J].
 Real contactEnergy(const Side& side0, const Side& side1, const std::vector<ContactSpot>& spots, const PairSprings& pair, const ContactMemory& memory);

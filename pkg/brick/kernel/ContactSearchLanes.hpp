@@ -474,6 +474,7 @@ private:
 		const int  otherFace   = pair.faces[which[nearest]];
 		if (!(area > 0) || !(penetration > 0) || pair.cosine[otherFace] <= 0) return;
 		if (expected != anyFace && nearest != expected) return;
+		polygon.weightedCentroid(heightEntry + nearest, centre);
 		ContactSpot& spot = addSpot(pair, vertices.segment[start], otherFace, spots);
 		spot.position     = centre.template head<3>();
 		spot.ownerNatural = { centre[naturalEntry], centre[naturalEntry + 1] };
@@ -521,9 +522,10 @@ struct EightSegments {
 	}
 };
 
-/// Where the middle of the part in contact is: weights of the segment's corners.
-struct Middle {
-	Lanes weight[4], area;
+/// The part of a segment in contact: what varies linearly over the segment is told by weights of its corners. `Part` also has
+///     void pressed(const Lanes (&depth)[4], Lanes (&sum)[4]) const      integrals over the part of the depth times the weight of each corner
+struct Part {
+	Lanes weight[4], area; ///< at the centroid
 };
 
 /// Twice the area of triangles that two sides span.
@@ -539,17 +541,32 @@ BRICK_INLINE Lanes spanned(const Lanes (&u)[3], const Lanes (&v)[3])
 }
 
 /// Of whole segments: two triangles each, as a polygon of four vertices has.
-BRICK_INLINE Middle middleOfWhole(const EightSegments& segments)
-{
-	Lanes side[3][3]; // from corner 0 to the others
-	for (int i = 0; i < 3; ++i) {
-		const Lanes origin = segments.at(segments.vertices.place[i], 0);
-		for (int corner = 1; corner < 4; ++corner)
-			side[corner - 1][i] = segments.at(segments.vertices.place[i], corner) - origin;
+struct WholePart : Part {
+	Lanes below, above; ///< areas of the triangles of the corners 0, 1, 2 and 0, 2, 3
+
+	BRICK_INLINE explicit WholePart(const EightSegments& segments)
+	{
+		Lanes side[3][3]; // from corner 0 to the others
+		for (int i = 0; i < 3; ++i) {
+			const Lanes origin = segments.at(segments.vertices.place[i], 0);
+			for (int corner = 1; corner < 4; ++corner)
+				side[corner - 1][i] = segments.at(segments.vertices.place[i], corner) - origin;
+		}
+		below = spanned(side[0], side[1]) / 2, above = spanned(side[1], side[2]) / 2, area = below + above;
+		weight[0] = weight[2] = allLanes(1. / 3);
+		weight[1] = below / (3 * area), weight[3] = above / (3 * area);
 	}
-	const Lanes below = spanned(side[0], side[1]) / 2, above = spanned(side[1], side[2]) / 2, whole = below + above, third = allLanes(1. / 3);
-	return { { third, below / (3 * whole), third, above / (3 * whole) }, whole };
-}
+	BRICK_INLINE void pressed(const Lanes (&depth)[4], Lanes (&sum)[4]) const
+	{
+		const Lanes one = depth[0] + depth[1] + depth[2], other = depth[0] + depth[2] + depth[3];
+		sum[0] = below * (depth[0] + one) + above * (depth[0] + other);
+		sum[1] = below * (depth[1] + one);
+		sum[2] = below * (depth[2] + one) + above * (depth[2] + other);
+		sum[3] = above * (depth[3] + other);
+		for (auto& x : sum)
+			x /= 12;
+	}
+};
 
 /// A vertex of a polygon in a segment: weights of the segment's corners, and place.
 struct PolygonVertex {
@@ -572,11 +589,25 @@ struct PolygonVertex {
 	}
 };
 
+/// Of segments that are cut.
+struct CutPart : Part {
+	Lanes moments[4][4]; ///< integrals of the product of two corners' weights; j <= i
+
+	BRICK_INLINE void pressed(const Lanes (&depth)[4], Lanes (&sum)[4]) const
+	{
+		for (int i = 0; i < 4; ++i) {
+			sum[i] = Lanes {};
+			for (int j = 0; j < 4; ++j)
+				sum[i] += moments[std::max(i, j)][std::min(i, j)] * depth[j];
+		}
+	}
+};
+
 /// The fan of triangles about the first vertex of polygons, a vertex after the other; as ClippedPolygon does it.
 struct Fan {
 	PolygonVertex first, last;
 	Mask          begun {};
-	Middle        sum {};
+	CutPart       sum {};
 
 	BRICK_INLINE void add(const PolygonVertex& next, const Mask& where)
 	{
@@ -586,8 +617,15 @@ struct Fan {
 			u[i] = last.place[i] - first.place[i], v[i] = next.place[i] - first.place[i];
 		const Lanes triangle = where & begun ? spanned(u, v) / 2 : Lanes {};
 		sum.area += triangle;
-		for (int i = 0; i < 4; ++i)
-			sum.weight[i] += triangle / 3 * (first.weight[i] + last.weight[i] + next.weight[i]);
+		const Lanes third = triangle / 3, twelfth = triangle / 12;
+		Lanes       all[4];
+		for (int i = 0; i < 4; ++i) {
+			all[i] = first.weight[i] + last.weight[i] + next.weight[i];
+			sum.weight[i] += third * all[i];
+			for (int j = 0; j <= i; ++j)
+				sum.moments[i][j] += twelfth
+				        * ((all[i] * all[j] + first.weight[i] * first.weight[j]) + (last.weight[i] * last.weight[j] + next.weight[i] * next.weight[j]));
+		}
 		first.replace(where & ~begun, next);
 		last.replace(where, next);
 		begun |= where;
@@ -595,7 +633,7 @@ struct Fan {
 };
 
 /// Of segments of which one face of the other body cuts something off; its heights at the corners.
-BRICK_INLINE Middle middleOfCut(const EightSegments& segments, const Lanes (&height)[4])
+BRICK_INLINE CutPart cutPart(const EightSegments& segments, const Lanes (&height)[4])
 {
 	Lanes x[4][3];
 	for (int corner = 0; corner < 4; ++corner)
@@ -622,7 +660,7 @@ BRICK_INLINE Middle middleOfCut(const EightSegments& segments, const Lanes (&hei
 struct EightSpots {
 	Real place[3][lanes], ownerNatural[2][lanes], otherNatural[2][lanes], penetration[lanes], area[lanes], nearest[lanes];
 
-	BRICK_INLINE void set(const FacePair&, const EightSegments&, const Middle&);
+	template <class AnyPart> BRICK_INLINE void set(const FacePair&, const EightSegments&, const AnyPart&);
 	BRICK_INLINE void add(const FacePair& pair, int segment, int lane, std::vector<ContactSpot>& spots) const
 	{
 		if (!(area[lane] > 0) || !(penetration[lane] > 0)) return;
@@ -635,35 +673,45 @@ struct EightSpots {
 	}
 };
 
-BRICK_INLINE void EightSpots::set(const FacePair& pair, const EightSegments& segments, const Middle& middle)
+template <class AnyPart> BRICK_INLINE void EightSpots::set(const FacePair& pair, const EightSegments& segments, const AnyPart& part)
 {
 	const auto& vertices = segments.vertices;
-	const auto  centre   = [&](const Real* values) __attribute__((always_inline))
+	const auto  weighted = [&](const Lanes(&weight)[4], const Real* values) __attribute__((always_inline))
 	{
-		return (middle.weight[0] * segments.at(values, 0) + middle.weight[2] * segments.at(values, 2))
-		        + (middle.weight[1] * segments.at(values, 1) + middle.weight[3] * segments.at(values, 3));
+		return (weight[0] * segments.at(values, 0) + weight[2] * segments.at(values, 2)) + (weight[1] * segments.at(values, 1) + weight[3] * segments.at(values, 3));
 	};
-	Lanes x[3];
-	for (int i = 0; i < 3; ++i) {
-		x[i] = centre(vertices.place[i]);
-		storeLanes(place[i], x[i]);
-	}
-	storeLanes(ownerNatural[0], centre(vertices.xi)), storeLanes(ownerNatural[1], centre(vertices.eta));
-	Lanes top = allLanes(-unbounded), face {}, cosine {}, p {}, q {};
+	Lanes top = allLanes(-unbounded), face {}, cosine {}, depth[4] {};
 	for (int k = 0; k < pair.count; ++k) {
-		const Lanes height = centre(vertices.height[k]);
+		const Lanes height = weighted(part.weight, vertices.height[k]);
 		const Mask  higher = height > top;
 		top                = higher ? height : top;
 		face               = higher ? allLanes(Real(pair.faces[k])) : face;
 		cosine             = higher ? allLanes(pair.cosine[pair.faces[k]]) : cosine;
-		if (pair.cosine[pair.faces[k]] <= 0 || !bitsOf(higher)) continue;
+		for (int corner = 0; corner < 4; ++corner)
+			depth[corner] = higher ? -segments.at(vertices.height[k], corner) : depth[corner];
+	}
+	Lanes       weight[4];
+	part.pressed(depth, weight);
+	const Lanes sum = (weight[0] + weight[2]) + (weight[1] + weight[3]);
+	for (int corner = 0; corner < 4; ++corner)
+		weight[corner] = sum > 0 ? weight[corner] / sum : part.weight[corner];
+	Lanes x[3];
+	for (int i = 0; i < 3; ++i) {
+		x[i] = weighted(weight, vertices.place[i]);
+		storeLanes(place[i], x[i]);
+	}
+	storeLanes(ownerNatural[0], weighted(weight, vertices.xi)), storeLanes(ownerNatural[1], weighted(weight, vertices.eta));
+	Lanes p {}, q {};
+	for (int k = 0; k < pair.count; ++k) {
+		const Mask nearestHere = face == Real(pair.faces[k]);
+		if (pair.cosine[pair.faces[k]] <= 0 || !bitsOf(nearestHere)) continue;
 		Lanes pk, qk;
 		coordinatesOn(pair.view.other.solid->faces[pair.faces[k]], x, pk, qk);
-		p = higher ? pk : p, q = higher ? qk : q;
+		p = nearestHere ? pk : p, q = nearestHere ? qk : q;
 	}
 	storeLanes(otherNatural[0], p), storeLanes(otherNatural[1], q);
 	storeLanes(penetration, -top), storeLanes(nearest, face);
-	storeLanes(area, pair.weight * cosine * middle.area);
+	storeLanes(area, pair.weight * cosine * part.area);
 }
 
 // Search
@@ -729,7 +777,7 @@ BRICK_INLINE void Sweep::findCutOnce(int number)
 		const Real *h = vertices.height[cutBy[number + lane]] + cutOnce[number + lane], *g = h + vertices.stride;
 		height[0][lane] = h[0], height[1][lane] = h[1], height[2][lane] = g[1], height[3][lane] = g[0];
 	}
-	cut.set(pair, eight, middleOfCut(eight, height));
+	cut.set(pair, eight, cutPart(eight, height));
 }
 
 BRICK_INLINE void Sweep::run()
@@ -753,7 +801,7 @@ BRICK_INLINE void Sweep::run()
 				for (int lane = 0; lane < lanes; ++lane)
 					here[lane] = first + lane;
 				const EightSegments eight(vertices, here);
-				if (!known) whole.set(pair, eight, middleOfWhole(eight));
+				if (!known) whole.set(pair, eight, WholePart(eight));
 				known = true;
 				whole.add(pair, vertices.segment[i], i - first, spots);
 			} else if (touch[i] == Touch::CutOnce && number < together) {

@@ -28,6 +28,22 @@ void advanceModes(const std::vector<Real>& omegaSquared, const Real* loads, Real
 	}
 }
 
+ModeEnergy modeEnergy(
+        const std::vector<Real>& omegaSquared, const Real* load, const Real* amplitude, const Real* rateBefore, const Real* rateAfter, Real zeta, Real localDamping, Real dt)
+{
+	ModeEnergy out;
+	for (std::size_t k = 0; k < omegaSquared.size(); ++k) {
+		const Real force = load[k] - omegaSquared[k] * amplitude[k], mean = (rateBefore[k] + rateAfter[k]) / 2;
+		const Real damping = 2 * zeta * std::sqrt(omegaSquared[k]) * mean
+		        + std::copysign(localDamping, force * (rateBefore[k] + dt / 2 * force)) * force; // against the motion
+		out.kinetic += (1 + dt * dt * omegaSquared[k] / 4) * rateBefore[k] * rateAfter[k] / 2;
+		out.elastic += omegaSquared[k] * amplitude[k] * amplitude[k] / 2;
+		out.dampedBefore += damping * dt / 2 * rateBefore[k];
+		out.dampedAfter += damping * dt / 2 * rateAfter[k];
+	}
+	return out;
+}
+
 void ModeColumns::sum(const std::vector<Real>& columns, int rows, int count, const Real* x, Real* y)
 {
 	BRICK_BEST_INSTRUCTION_SET(sumAllColumns)(columns.data(), rows, count, x, y);

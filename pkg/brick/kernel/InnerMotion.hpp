@@ -33,6 +33,16 @@ inline ModeState advanced(const ModeState& mode, Real load, Real omegaSquared, R
 	return next;
 }
 
+/// Energy of modes at step n, where they have both rates, those of n - 1/2 and n + 1/2: with the inertia I of advanced(), I q'- q'+ / 2 and omega^2 q^2 / 2
+/// change from step to step by the work of loads and damping alone, each the mean of its values at both ends times the change of q.
+struct ModeEnergy {
+	Real kinetic = 0, elastic = 0;           ///< [J]
+	Real dampedBefore = 0, dampedAfter = 0; ///< what the damping of this step takes from the half step before it and from the one after it [J]
+};
+/// @param load, amplitude, rateBefore, rateAfter of each mode; amplitudes at step n
+ModeEnergy modeEnergy(
+        const std::vector<Real>& omegaSquared, const Real* load, const Real* amplitude, const Real* rateBefore, const Real* rateAfter, Real zeta, Real localDamping, Real dt);
+
 /// All modes of a brick, the same.
 /// @param amplitudes, rates of each; replaced
 void advanceModes(const std::vector<Real>& omegaSquared, const Real* loads, Real zeta, Real localDamping, Real dt, Real* amplitudes, Real* rates);

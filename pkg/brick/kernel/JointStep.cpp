@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What joints do in a step, and what can be read of it.
-#include "Joint.hpp"
+#include "PairLedger.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -141,15 +141,26 @@ namespace {
 		return out;
 	}
 
+	/// One step of a patch's segments.
+	SegmentSums sweepPatch(JointSegments& segments, std::size_t patch, const SegmentSweep& sweep, JointLedger* ledger)
+	{
+		if (!ledger) return sweepSegments(segments, sweep);
+		const JointSegments before = segments;
+		const SegmentSums   sums   = sweepSegments(segments, sweep);
+		ledger->addSwept(patch, before, segments, sweep);
+		return sums;
+	}
+
 	/// Force on side 0 of each patch, segment by segment, with all that can happen to them.
-	void sweepPatches(Joint& joint, const JointMotion& m, const JointPlacements* moving, Real tanFriction, JointLoads& loads, Real& penetration)
+	void sweepPatches(
+	        Joint& joint, const JointMotion& m, const JointPlacements* moving, Real tanFriction, JointLoads& loads, Real& penetration, JointLedger* ledger)
 	{
 		makeSegments(joint);
 		const JointAxes axes(m);
 		bool            anyFailed = false;
 		penetration               = -infinity;
 		for (std::size_t i = 0; i < m.patches.size(); ++i) {
-			const SegmentSums sums = sweepSegments(joint.segments[i], sweepOf(joint, m, int(i), axes, moving, tanFriction));
+			const SegmentSums sums = sweepPatch(joint.segments[i], i, sweepOf(joint, m, int(i), axes, moving, tanFriction), ledger);
 			anyFailed |= sums.anyFailed;
 			penetration               = std::max(penetration, sums.penetration);
 			const Vector4r normal     = atCorners(sums.force.normal), tangent1 = atCorners(sums.force.tangent1), tangent2 = atCorners(sums.force.tangent2);
@@ -172,15 +183,35 @@ Real edgeOpening(const Joint& joint, const JointMotion& m, int patch)
 	return edge;
 }
 
-Failures jointLoads(Joint& joint, const JointMotion& m, const JointPlacements* moving, Real tanFriction, JointLoads& loads, PairSummary& sum)
+namespace {
+
+	/// Elastic energy of a patch that holds, from its forces.
+	Real holdingEnergy(const Joint& joint, const PatchMotion& m, const Vector3r& normal, const CornerVectors& forces)
+	{
+		return forces.cwiseProduct(m.opening.rowwise() - joint.restGap * normal.transpose()).sum() / 2;
+	}
+
+	void bookHolding(const Joint& joint, const JointMotion& m, const JointLoads& loads, JointLedger& ledger)
+	{
+		const JointAxes axes(m);
+		for (std::size_t i = 0; i < m.patches.size(); ++i)
+			ledger.addHolding(i, openingOf(joint, m.patches[i], axes), holdingEnergy(joint, m.patches[i], m.normal, loads.forces[i]));
+	}
+
+} // namespace
+
+Failures jointLoads(
+        Joint& joint, const JointMotion& m, const JointPlacements* moving, Real tanFriction, JointLoads& loads, PairSummary& sum, JointLedger* ledger)
 {
 	const Failures before = joint.failures;
 	loads.forces.resize(m.patches.size(), boost::container::default_init);
-	if (joint.holds() && keepsHolding(joint, m, sum.penetration))
+	if (ledger) ledger->begin(m.patches.size());
+	if (joint.holds() && keepsHolding(joint, m, sum.penetration)) {
 		for (std::size_t i = 0; i < m.patches.size(); ++i)
 			BRICK_BEST_INSTRUCTION_SET(setHoldingForce)(joint, m, int(i), loads.forces[i]);
-	else
-		sweepPatches(joint, m, joint.holds() ? nullptr : moving, tanFriction, loads, sum.penetration);
+		if (ledger) bookHolding(joint, m, loads, *ledger);
+	} else
+		sweepPatches(joint, m, joint.holds() ? nullptr : moving, tanFriction, loads, sum.penetration, ledger);
 
 	Vector3r force = Vector3r::Zero();
 	loads.torque[0].setZero(), sum.point.setZero();
@@ -245,6 +276,14 @@ Failures overloaded(const Joint& joint, const JointMotion& m)
 Real jointEnergy(const Joint& joint, const JointMotion& m, Real tanFriction)
 {
 	Real energy = 0;
+	if (joint.holds()) {
+		CornerVectors forces;
+		for (std::size_t i = 0; i < m.patches.size(); ++i) {
+			BRICK_BEST_INSTRUCTION_SET(setHoldingForce)(joint, m, int(i), forces);
+			energy += holdingEnergy(joint, m.patches[i], m.normal, forces);
+		}
+		return energy;
+	}
 	for (int s = 0; s < joint.count(); ++s) {
 		const SegmentTraction t = segmentTraction(joint, s, m, tanFriction);
 		energy += segmentOf(joint, s).area / 2 * (t.normal * t.normal / joint.shape->springs.normal + t.shear.squaredNorm() / joint.shape->springs.shear);

@@ -22,6 +22,7 @@ public:
 	const shared_ptr<Scene>&                       getScene() const;
 	const std::map<std::string, DynlibDescriptor>& getDynlibsDescriptor() const;
 	void                                           pause();
+	void                                           saveSimulation(const std::string& file, bool quiet = false);
 };
 
 } // namespace yade

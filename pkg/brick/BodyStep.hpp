@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What joints and contacts do to a body in a step, as BrickDynamics sums it up.
+#pragma once
+
+#include <core/State.hpp>
+
+namespace yade {
+
+struct BodyStep {
+	Vector3r force { Vector3r::Zero() }, torque { Vector3r::Zero() };
+	bool     any        = false; // some joint or contact acts on the body
+	bool     released   = false; // a brick that its joints hold apart from others no more
+	Real     work       = 0;     // done on the body, deformation included, since the step before [J]
+	Real     modesAfter = 0;     // done on the deformation in the half step after this step [J]
+	Real     gained     = 0;     // work since the guard's window has begun [J]
+};
+
+} // namespace yade

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "EnergyGuard.hpp"
+
+#include <core/Body.hpp>
+
+namespace yade {
+
+namespace {
+
+	constexpr long windowSteps   = 1000;
+	constexpr Real share         = .5;
+	constexpr Real smallestStrain = 1e-7; // hundredth of what cracks mortar: energy below that of all bricks under this strain is no alarm
+
+	Real kineticEnergy(const Scene& scene)
+	{
+		Real sum = 0;
+		for (const auto& b : *scene.bodies) {
+			if (!b->isDynamic()) continue;
+			const State&   s = *b->state;
+			const Vector3r w = s.ori.conjugate() * s.angVel;
+			sum += (s.mass * s.vel.squaredNorm() + w.dot(s.inertia.cwiseProduct(w))) / 2;
+			if (const Brick* shape = asBrick(b->shape)) sum += shape->kineticEnergy();
+		}
+		return sum;
+	}
+
+	Real elasticEnergy(const Scene& scene)
+	{
+		Real sum = 0;
+		for (const auto& b : *scene.bodies)
+			if (const Brick* shape = asBrick(b->shape)) sum += shape->elasticEnergy();
+		for (const auto& I : *scene.interactions) {
+			const BrickPhys* phys = asBrickPhys(I->phys);
+			if (phys && I->geom && phys->step == scene.iter) sum += phys->elasticEnergy(boost::static_pointer_cast<BrickGeom>(I->geom));
+		}
+		return sum;
+	}
+
+	Real energyOfSmallestStrain(const Scene& scene)
+	{
+		Real sum = 0;
+		for (const auto& b : *scene.bodies)
+			if (const auto* material = asBrickMat(b->material); material && b->isDynamic())
+				sum += material->young * b->state->mass / material->density * smallestStrain * smallestStrain / 2;
+		return sum;
+	}
+
+} // namespace
+
+bool EnergyGuard::isDue(const Scene& scene) const { return last != scene.iter - 1 || scene.iter - first >= windowSteps; }
+
+void EnergyGuard::begin(Scene& scene)
+{
+	first  = scene.iter;
+	held   = elasticEnergy(scene);
+	moving = kineticEnergy(scene);
+	least  = energyOfSmallestStrain(scene);
+	work   = 0;
+}
+
+bool EnergyGuard::isTooMuch(const Scene& scene) const
+{
+	if (!(work > held + share * (held + moving) + least)) return false;
+	const Real outside = kineticEnergy(scene) - moving - work; // gravity, ground, supports that move
+	return work > held + share * (held + moving + std::abs(outside)) + least;
+}
+
+std::optional<EnergyGuard::Gain> EnergyGuard::add(const Scene& scene, std::vector<BodyStep>& steps)
+{
+	const bool begins = first == scene.iter; // the work done up to now was before the window
+	last              = scene.iter;
+	for (auto& s : steps) {
+		work += begins ? 0 : s.work;
+		s.gained = begins ? 0 : s.gained + s.work;
+	}
+	if (!isTooMuch(scene)) return {};
+	const auto most = std::max_element(steps.begin(), steps.end(), [](const BodyStep& a, const BodyStep& b) { return a.gained < b.gained; });
+	return Gain { work, held, scene.iter - first, int(most - steps.begin()) };
+}
+
+} // namespace yade

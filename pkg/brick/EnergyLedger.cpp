@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "EnergyLedger.hpp"
+
+#include "Gravity.hpp"
+
+#include <core/Body.hpp>
+
+namespace yade {
+
+namespace {
+
+	void add(Scene& scene, Real value, const char* name, bool present)
+	{
+		int id = -1; // not kept: O.energy.clear() would leave it behind
+		scene.energy->add(value, name, id, present);
+	}
+
+	constexpr bool present = true, accumulated = false;
+
+	Real rotationEnergy(const State& s)
+	{
+		const Vector3r w = s.ori.conjugate() * s.angVel;
+		return w.dot(s.inertia.cwiseProduct(w)) / 2;
+	}
+
+} // namespace
+
+struct EnergyLedger::Sums {
+	Real     dt = 0, lastDt = 0; // of this step and of the one before, 0 if there was none
+	Real     kinetic = 0, supportWork = 0;
+	Vector3r heldMomentum { Vector3r::Zero() }; // of bodies that forces do not move
+	Real     modesKinetic = 0, modesElastic = 0, modesDamping = 0;
+};
+
+/// From half a step before to the present: half a step of the forces of joints and contacts, and of whatever else acted in the step before.
+void EnergyLedger::addFree(const Body& b, const BodyStep& before, const BodyStep& now, Sums& sums) const
+{
+	const State& s = *b.state;
+	sums.kinetic += sums.dt / 2 * (now.force.dot(s.vel) + now.torque.dot(s.angVel));
+	if (sums.lastDt == 0) return;
+	const Vector3r others = s.mass * (s.vel - last[b.getId()].velocity) - sums.lastDt * before.force;
+	sums.kinetic += others.dot(s.vel) / 2;
+}
+
+void EnergyLedger::addHeld(const Body& b, const BodyStep& before, const BodyStep& now, Sums& sums) const
+{
+	const State& s = *b.state;
+	sums.supportWork += sums.lastDt / 2 * ((before.force + now.force).dot(s.vel) + (before.torque + now.torque).dot(s.angVel));
+	sums.heldMomentum += s.mass * s.vel;
+	// YADE counts it, although nothing can be had from it
+	sums.kinetic -= s.mass * s.vel.squaredNorm() / 2 + rotationEnergy(s);
+}
+
+void EnergyLedger::addModes(Sums& sums)
+{
+	sums.modesDamping = dampedLate, dampedLate = 0;
+	for (const auto& m : modes) {
+		sums.modesKinetic += m.kinetic, sums.modesElastic += m.elastic, sums.modesDamping += m.dampedBefore;
+		dampedLate += m.dampedAfter;
+	}
+}
+
+void EnergyLedger::book(Scene& scene, const std::vector<BodyStep>& before, const std::vector<BodyStep>& now, const std::vector<const BrickPhys*>& acting)
+{
+	const bool continues = lastStep == scene.iter - 1 && last.size() == now.size();
+	if (!continues) dampedLate = 0;
+	last.resize(now.size());
+	Sums sums;
+	sums.dt     = scene.dt;
+	sums.lastDt = continues ? lastDt : 0;
+	for (const auto& b : *scene.bodies) {
+		const auto id = b->getId();
+		if (b->isDynamic() && b->state->mass > 0) addFree(*b, before[id], now[id], sums);
+		else if (!b->isDynamic())
+			addHeld(*b, before[id], now[id], sums);
+		last[id].velocity = b->state->vel;
+	}
+	addModes(sums);
+	brick::PairEnergy pairs;
+	for (const BrickPhys* phys : acting) {
+		if (!phys->ledger) continue;
+		const auto& e = phys->ledger->energy;
+		pairs.elastic += e.elastic, pairs.fracture += e.fracture, pairs.friction += e.friction, pairs.dashpot += e.dashpot, pairs.area += e.area;
+	}
+	add(scene, sums.kinetic, "kinetic", present);
+	add(scene, sums.modesKinetic, "deformKinetic", present);
+	add(scene, sums.modesElastic, "deformElastic", present);
+	add(scene, sums.modesDamping, "deformDamping", accumulated);
+	add(scene, pairs.elastic, "elastPotential", present);
+	add(scene, pairs.fracture, "fracture", accumulated);
+	add(scene, pairs.friction, "plastDissip", accumulated);
+	add(scene, pairs.dashpot, "dashpots", accumulated);
+	add(scene, pairs.area, "contactArea", accumulated);
+	add(scene, sums.supportWork, "supportWork", accumulated);
+	if (sums.heldMomentum != Vector3r::Zero())
+		if (const auto gravity = gravityOf(scene)) add(scene, gravity->dot(sums.heldMomentum) * scene.dt, "gravWork", accumulated);
+	lastStep = scene.iter;
+	lastDt   = scene.dt;
+}
+
+} // namespace yade

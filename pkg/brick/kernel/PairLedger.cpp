@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "PairLedger.hpp"
+
+#include <algorithm>
+
+namespace brick {
+
+namespace {
+
+	/// A field at a segment: normal, tangential components.
+	Vector3r at(const SegmentField& field, Real p, Real q)
+	{
+		auto value = [&](const Real(&c)[4]) { return c[0] + p * c[1] + (q * c[2] + p * q * c[3]); };
+		return { value(field.normal), value(field.tangent1), value(field.tangent2) };
+	}
+
+	void addMoments(SegmentField& field, const Vector3r& force, Real p, Real q)
+	{
+		Real* const rows[3] { field.normal, field.tangent1, field.tangent2 };
+		for (int i = 0; i < 3; ++i)
+			rows[i][0] += force[i], rows[i][1] += p * force[i], rows[i][2] += q * force[i], rows[i][3] += p * q * force[i];
+	}
+
+	/// Of the mean of two sums of forces, over the displacement between two openings.
+	Real work(const SegmentField& force0, const SegmentField& force1, const SegmentField& opening0, const SegmentField& opening1)
+	{
+		Real sum   = 0;
+		auto along = [&](const Real(&f0)[4], const Real(&f1)[4], const Real(&u0)[4], const Real(&u1)[4]) {
+			for (int i = 0; i < 4; ++i)
+				sum += (f0[i] + f1[i]) / 2 * (u1[i] - u0[i]);
+		};
+		along(force0.normal, force1.normal, opening0.normal, opening1.normal);
+		along(force0.tangent1, force1.tangent1, opening0.tangent1, opening1.tangent1);
+		along(force0.tangent2, force1.tangent2, opening0.tangent2, opening1.tangent2);
+		return sum;
+	}
+
+	/// Springs of a segment: tractions, normal and tangential components [Pa], and the energy that they hold by area [J/m2].
+	struct Springs {
+		const SpotSprings& k;
+		Vector3r           traction(const Vector3r& stretch) const { return { k.normal * stretch[0], k.shear * stretch[1], k.shear * stretch[2] }; }
+		Real               energy(const Vector3r& stretch) const { return stretch.dot(traction(stretch)) / 2; }
+	};
+
+	/// One segment in a step.
+	struct SegmentStep {
+		Vector3r     opening0, opening;      // before and now
+		Vector3r     slip0, slip;            // plastic part; along the normal none
+		SegmentState state0, state;
+
+		SegmentStep(const JointSegments& before, const JointSegments& after, int i, const SegmentField& u0, const SegmentField& u)
+		        : opening0(at(u0, before.row(JointSegments::P)[i], before.row(JointSegments::Q)[i]))
+		        , opening(at(u, after.row(JointSegments::P)[i], after.row(JointSegments::Q)[i]))
+		        , slip0(0, before.row(JointSegments::Slip1)[i], before.row(JointSegments::Slip2)[i])
+		        , slip(0, after.row(JointSegments::Slip1)[i], after.row(JointSegments::Slip2)[i])
+		        , state0(SegmentState(int(before.row(JointSegments::State)[i])))
+		        , state(SegmentState(int(after.row(JointSegments::State)[i])))
+		{
+		}
+		/// Stretch of the springs that are left.
+		Vector3r stretch() const
+		{
+			if (state == SegmentState::Intact) return opening;
+			return { std::min(0., opening[0]), opening[1] - slip[1], opening[2] - slip[2] };
+		}
+	};
+
+	/// Traction of the dashpots of a failed segment: what there is besides the springs (JointSegmentsLanes.hpp).
+	Vector3r dashpotTraction(const SegmentSweep& sweep, const SegmentStep& s, const Vector3r& elastic, Real p, Real q)
+	{
+		if (s.state0 == SegmentState::Intact) return Vector3r::Zero();
+		const Vector3r rate     = at(sweep.rate, p, q);
+		const Real     pressure = s.opening[0] < 0 ? std::max(0., -(elastic[0] + sweep.springs.normalDashpot * rate[0])) : 0;
+		const Vector3r shear(0, elastic[1] + sweep.springs.shearDashpot * rate[1], elastic[2] + sweep.springs.shearDashpot * rate[2]);
+		const Vector3r all = limited(shear, pressure * sweep.tanFriction) - Vector3r(pressure, 0, 0);
+		return all - elastic;
+	}
+
+} // namespace
+
+void JointLedger::begin(std::size_t count)
+{
+	energy = {};
+	if (patches.size() != count) patches.assign(count, {});
+}
+
+void JointLedger::addHolding(std::size_t patch, const SegmentField& opening, Real elastic)
+{
+	energy.elastic += elastic;
+	patches[patch].known   = true;
+	patches[patch].opening = opening;
+}
+
+void JointLedger::addSwept(std::size_t number, const JointSegments& before, const JointSegments& after, const SegmentSweep& sweep)
+{
+	Patch& patch = patches[number];
+	if (!patch.known) patch.opening = sweep.opening, patch.known = true;
+	const Springs springs { sweep.springs };
+	SegmentField  dashpots {};
+	for (int i = 0; i < after.count(); ++i) {
+		const SegmentStep s(before, after, i, patch.opening, sweep.opening);
+		const Real        p = after.row(JointSegments::P)[i], q = after.row(JointSegments::Q)[i], area = after.row(JointSegments::Area)[i];
+		const Vector3r    stretch = s.stretch(), elastic = springs.traction(stretch);
+		energy.elastic += area * springs.energy(stretch);
+		if (s.state == SegmentState::Intact) continue;
+		if (s.state0 == SegmentState::Intact) {
+			const Vector3r lost = springs.traction(s.opening) - elastic;
+			energy.fracture += area * (springs.energy(s.opening) - springs.energy(stretch) - lost.dot(s.opening - s.opening0) / 2);
+		} else {
+			const Vector3r stretch0(0, s.opening0[1] - s.slip0[1], s.opening0[2] - s.slip0[2]);
+			energy.friction += area / 2 * (springs.traction(stretch0) + Vector3r(0, elastic[1], elastic[2])).dot(s.slip - s.slip0);
+		}
+		addMoments(dashpots, area * dashpotTraction(sweep, s, elastic, p, q), p, q);
+	}
+	energy.dashpot += work(patch.dashpot, dashpots, patch.opening, sweep.opening);
+	patch.opening = sweep.opening;
+	patch.dashpot = dashpots;
+}
+
+namespace {
+
+	/// Velocity that a body's deformation gives to a place of one of its faces, body axes.
+	Vector3r deformationRate(const Side& side, int face, const Vector2r& natural)
+	{
+		Vector3r rate = Vector3r::Zero();
+		if (!side.placement.displacementRate) return rate;
+		const SurfaceSpot spot = surfaceGrid(side.cells).locate(face, natural[0], natural[1]);
+		for (int a = 0; a < 4; ++a)
+			rate += spot.weights[a] * side.placement.displacementRate[spot.nodes[a]];
+		return rate;
+	}
+
+	/// Velocity of the owner at a spot relative to the other body, world axes.
+	Vector3r relativeVelocity(const ContactSpot& spot, const Side& owner, const Side& other)
+	{
+		const Placement &mine = owner.placement, &its = other.placement;
+		const Vector3r   x = its.position + its.rotation * spot.position;
+		auto             rigid = [&](const Placement& p) { return Vector3r(p.velocity + p.angularVelocity.cross(x - p.position)); };
+		return rigid(mine) + mine.rotation * deformationRate(owner, spot.ownerFace, spot.ownerNatural)
+		        - (rigid(its) + its.rotation * deformationRate(other, spot.otherFace, spot.otherNatural));
+	}
+
+} // namespace
+
+void ContactLedger::add(const Side& side0, const Side& side1, const std::vector<ContactSpot>& spots, const PairSprings& pair, Real dt, const ContactMemory& memory)
+{
+	energy = {};
+	std::vector<Spot> present;
+	auto              before = last.begin();
+	for (std::size_t i = 0; i < spots.size(); ++i) {
+		const ContactSpot& spot = spots[i];
+		for (; before != last.end() && before->key < spot.key; ++before)
+			energy.area += before->shearEnergy; // it has left
+		Spot was { spot.key, spot.area, 0, Vector3r::Zero(), Vector3r::Zero() };
+		if (before != last.end() && before->key == spot.key) was = *before++;
+
+		const Side &      owner = spot.owner == 0 ? side0 : side1, &other = spot.owner == 0 ? side1 : side0;
+		const Matrix3r&   axes   = owner.placement.rotation;
+		const SpotSprings k      = springsOf(spot, side0, side1, pair);
+		const Vector3r    normal = other.placement.rotation * other.solid->faces[spot.otherFace].normal, moved = dt * relativeVelocity(spot, owner, other);
+		const Vector3r    sliding = moved - moved.dot(normal) * normal, turned = axes * was.traction;
+		const Vector3r    tau0 = turned - turned.dot(normal) * normal, tau = axes * memory.tractions[i];
+		const Real        shearEnergy = spot.area / 2 * tau.squaredNorm() / k.shear;
+		energy.elastic += spot.area / 2 * k.normal * spot.penetration * pressedDepth(spot, other) + shearEnergy;
+		energy.friction -= spot.area / 2 * (tau0 + tau).dot(sliding + (tau - tau0) / k.shear);
+		energy.area += (1 - spot.area / was.area) * was.shearEnergy + (spot.area - was.area) / 2 * tau0.dot(sliding);
+
+		// as addGroup in ContactLanes.hpp
+		const Real     spring = k.normal * spot.penetration, pressure = dt > 0 ? std::max(0., spring - k.normalDashpot * moved.dot(normal) / dt) : spring;
+		const Vector3r shear   = limited(dt > 0 ? Vector3r(tau - k.shearDashpot / dt * sliding) : tau, pressure * pair.tanFriction);
+		const Vector3r dashpot = spot.area * ((pressure - spring) * normal + shear - tau);
+		energy.dashpot -= (axes * was.dashpot + dashpot).dot(moved) / 2;
+		present.push_back({ spot.key, spot.area, shearEnergy, memory.tractions[i], axes.transpose() * dashpot });
+	}
+	for (; before != last.end(); ++before)
+		energy.area += before->shearEnergy;
+	last.swap(present);
+}
+
+} // namespace brick

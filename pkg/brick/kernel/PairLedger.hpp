@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The energy of a joint or contact, and where it goes: what springs hold, what failure, friction and dashpots take. Only for scenes that ask for it: the laws
+// (JointStep.cpp, Contact.cpp) know nothing of it, segments and spots are compared before and after a step.
+//
+// Work is booked as leap-frog does it: over the step from n-1 to n a force does the mean of its values at both ends times the displacement between. With
+//     springs    U = A/2 (sigma^2/kn + |tau|^2/ks)
+//     friction   mean of tau at both ends times the slip
+//     failure    U before less U after, less the work that the lost traction did not do: half of it times the displacement
+//     dashpots   mean of their tractions at both ends times the displacement
+//     area       of contact: what comes into contact has the shear traction of its spot at once, what leaves takes it away, and no force does that work
+// work done on the springs is accounted for exactly as long as they are linear: what is missing in the sum of all energies was made, or lost, by a nonlinear
+// step (a segment that opens or closes within it), by axes that turn, or where a contact's edge lies between faces of unlike springs.
+#pragma once
+
+#include "Contact.hpp"
+
+#include <vector>
+
+namespace brick {
+
+/// What the springs of a pair hold at present, and what was taken since the step before [J].
+struct PairEnergy {
+	Real elastic = 0, fracture = 0, friction = 0, dashpot = 0, area = 0;
+};
+
+/// Remembers a joint's step.
+class JointLedger {
+public:
+	PairEnergy energy; ///< of the last step
+
+	void begin(std::size_t patches);
+	/// Of a patch all of whose segments hold. @param opening as in SegmentSweep @param elastic [J]
+	void addHolding(std::size_t patch, const SegmentField& opening, Real elastic);
+	/// Of a patch whose segments were swept. @param before the segments then
+	void addSwept(std::size_t patch, const JointSegments& before, const JointSegments& after, const SegmentSweep&);
+
+private:
+	struct Patch {
+		bool         known = false;
+		SegmentField opening, dashpot {}; ///< moments of the dashpots' tractions with 1, p, q, pq [N]
+	};
+	std::vector<Patch> patches;
+};
+
+/// Remembers a contact's step.
+class ContactLedger {
+public:
+	PairEnergy energy; ///< of the last step
+
+	/// @param memory tractions in this step
+	void add(const Side& side0, const Side& side1, const std::vector<ContactSpot>&, const PairSprings&, Real dt, const ContactMemory& memory);
+
+private:
+	/// A spot in the step before; owner's axes.
+	struct Spot {
+		int      key; // ascending
+		Real     area, shearEnergy;
+		Vector3r traction, dashpot; // [Pa], [N]
+	};
+	std::vector<Spot> last;
+};
+
+} // namespace brick
