@@ -28,7 +28,7 @@ class ThinContactPart(Case):
 		return column
 
 	def test_shaken_column_tends_to_a_limit(self):
-		"""A column of 3 is shaken sideways by sin^2 over 0.06 s, then left alone for as long: the place of its top at the end, for r/L = 0.03 to 0.0005."""
+		"""A column of 3 is shaken sideways by sin^2 over 0.06 s, then left alone for as long: how far its top comes, for r/L = 0.03 to 0.0005."""
 		count = 120
 		wave = [Vector3(TOP * math.sin(math.pi * k / count)**2, 0, 0) for k in range(count + 1)]
 		for level in LEVELS:
@@ -36,17 +36,24 @@ class ThinContactPart(Case):
 			for share in SHARES[1:]:
 				top = self.column(level, share)[-1]
 				engines(gravity=(0, 0, 0), before=[GroundMotion(dt=PULSE / count, acceleration=wave)])
-				O.step()
 				# one step for all thicknesses, so that its own error is no part of what is compared
 				stepByHand(2 * PULSE / 3000)
-				self.atMost('%s, r/L=%g: step over limit' % (level, share), O.dt / limit(), 1, 'the run is stable')
-				O.run(3000 - O.iter, True)
-				moved.append(top.state.pos[0])
+				most = 0.
+				for _ in range(3000):
+					O.step()
+					most = max(most, abs(top.state.pos[0]))
+				moved.append(most)
+				step = O.dt
+				engine(BrickTimeStepper).active = True
+				O.step()
+				self.atMost('%s, r/L=%g: step over limit' % (level, share), step / limit(), 1, 'the run is stable')
 			slopes = [(a - b) / (p - q) for a, b, p, q in zip(moved, moved[1:], SHARES[1:], SHARES[2:])]
 			limitAtZero = moved[-1] - slopes[-1] * SHARES[-1]
 			self.atMost(level + ': inverse of what the top moves [1/m]', 1 / abs(limitAtZero), 1e4, 'there is something to compare')
-			self.judge(level + ': slope by r, from .001 to .0005 over that from .003 to .001', slopes[-1] / slopes[-2], 1, .05, 'in proportion to r: the next term is its square')
-			self.atMost(level + ', r/L=.0005: distance from the limit, relative', abs(moved[-1] / limitAtZero - 1), .01, 'layers of 2 r/L of the height, and the shear')
+			coarser = moved[-2] - slopes[-2] * SHARES[-2]
+			reason = 'in proportion to r: the next term is its square, here r/L = .002 times some ten'
+			self.judge(level + ': slope by r, from .001 to .0005 over that from .003 to .001', slopes[-1] / slopes[-2], 1, .02, reason)
+			self.judge(level + ': limit for r = 0 from .001 and .0005 over that from .003 and .001', limitAtZero / coarser, 1, 1e-3, 'the same')
 
 	def test_time_step(self):
 		"""Steps of one column for all thicknesses, without and with the default dashpots."""
@@ -95,8 +102,8 @@ class ThinContactPart(Case):
 				b.state.vel = Vector3(0, 0, -.5)
 				engines()
 				O.step()
-				stepByHand(.1 * limit())
+				stepByHand(.05 * limit())
 				energy = Energy()
 				start = energy.step()
 				most = max(energy.step() for _ in range(round(.15 / O.dt)))
-				self.atMost('%s, r/L=%g: largest energy over that at the start' % (level, share), most / start, 1.001, 'work')
+				self.atMost('%s, r/L=%g: largest energy over that at the start' % (level, share), most / start, 1.0025, 'no work; leap-frog and the energy read are off by (w dt)^2 / 4, w dt = 0.1 at most')
