@@ -68,7 +68,7 @@ SCENES = {
 
 class FacesThatMeet(Case):
 
-	def build(self, name, level, dry=False, strength=None, base=False, **attributes):
+	def build(self, name, level, dry=False, strength=None, **attributes):
 		O.reset()
 		mortar = None if dry else Mortar(**(strength or UNBREAKABLE))
 		adobe = material(mortar=mortar, **attributes)
@@ -116,44 +116,54 @@ class FacesThatMeet(Case):
 				O.step()
 				force = max((O.forces.f(b.id).norm() for b in made), default=0.)
 				self.atMost(label + 'largest force on a brick as laid [N]', force, 64 * EPS * 3 * edge * spring * edge**2, 'round-off of places')
-				if name == 'a tie beside a corner': continue
 				made, _ = self.build(name, level, dry=True, frictionAngle=0, hn=0, hs=0)
-				top = max(made, key=lambda b: (b.state.pos[2], b.id))
-				upper = [b for b in made if b.state.pos[2] > top.state.pos[2] - 1e-9]
-				for b in upper: b.state.pos -= Vector3(0, 0, deep)
-				below = sum(area for pair, area in joints.items() for b in [top] if b.id in pair and min(pair) not in [u.id for u in upper])
+				highest = max(b.state.pos[2] for b in made)
+				course = [b.id for b in made if b.state.pos[2] > highest - 1e-9]
+				for number in course: O.bodies[number].state.pos -= Vector3(0, 0, deep)
+				top = course[-1]
+				below = sum(area for pair, area in joints.items() if top in pair and min(pair) not in course)
 				engines(gravity=(0, 0, 0))
 				O.step()
-				got = O.forces.f(top.id)
-				if not joints or below == 0:
-					# a wedge d deep along an edge at most: d^2 across, and half as deep
-					self.atMost(label + 'force where only an edge is pressed [N]', got.norm(), spring * edge * deep**2, 'the wedge')
+				got = O.forces.f(top)
+				if below == 0:
+					reason = 'the wedge along an edge, d across'
+					self.atMost(label + 'force where only an edge or corner is pressed [N]', got.norm(), spring * edge * deep**2, reason)
 					continue
-				reason = 'the exact integral; wedges d across at the edges may be another face\'s: d over the overlap\'s width, from both sides'
-				self.judge(label + 'force upwards [N]', got[2], spring * deep * below, 4 * deep / min(OVERLAP, edge) if 'mm' in name else 4 * deep / (edge / 3), reason)
+				self.judge(label + 'force upwards [N]', got[2], spring * deep * below, 16 * EPS * 3 * edge / deep, 'the exact integral; round-off of places over d')
+
+	def rise(self, name, level, **options):
+		"""Largest rise of the energy over its least value before, in units of that of the blow; the lowest bricks are held."""
+		weak = dict(tensileStrength=2e3, cohesion=2e3, frictionAngle=FRICTION, compressiveStrength=5e5)
+		made, _ = self.build(name, level, strength=weak)
+		lowest = min(b.state.pos[2] for b in made)
+		for b in made:
+			if b.state.pos[2] < lowest + 1e-9: b.dynamic = False
+			for option, value in options.items(): setattr(b.shape, option, value)
+		MortarJoints()()
+		engines()
+		O.step()
+		stepByHand(.2 * limit())
+		for b in moving(): b.state.vel = Vector3(.8, .5, 0) * ((b.state.pos[2] - lowest) / L)
+		blow, energy = sum(b.state.mass * b.state.vel.squaredNorm() for b in moving()) / 2, Energy()
+		least, most = math.inf, 0.
+		for _ in range(2000):
+			value = energy.step()
+			least = min(least, value)
+			most = max(most, value - least)
+		return most / blow
 
 	def test_loaded_and_shaken(self):
-		"""Each scene, its lowest bricks held, in mortar that fails, is loaded by gravity and struck sideways (1 m/s at the top): energy only falls."""
-		weak = dict(tensileStrength=2e3, cohesion=2e3, frictionAngle=FRICTION, compressiveStrength=5e5)
+		"""Each scene, its lowest bricks held, in mortar that fails, is loaded by gravity and struck sideways (0.9 m/s at the top of two courses): energy only falls."""
 		for name, (layout, joints) in SCENES.items():
 			if len(joints) == 0: continue
 			for level in LEVELS:
-				made, _ = self.build(name, level, strength=weak)
-				lowest = min(b.state.pos[2] for b in made)
-				for b in made:
-					if b.state.pos[2] < lowest + 1e-9: b.dynamic = False
-				MortarJoints()()
-				engines()
-				O.step()
-				stepByHand(.2 * limit())
-				for b in moving(): b.state.vel = Vector3(.8, .5, 0) * ((b.state.pos[2] - lowest) / L)
-				energy = Energy()
-				values = [energy.step() for _ in range(2000)]
-				kinetic = sum(b.state.mass for b in moving()) * .445
-				least, gained = values[0], 0.
-				for value in values:
-					least = min(least, value)
-					gained = max(gained, value - least)
-				self.atMost('%s, %s: largest rise of energy over that of the blow' % (name, level), gained / kinetic, 1e-2, '(w dt)^2 / 4 of the energy read, w dt = .2')
+				allowed, reason = .01, '(w dt)^2 / 4 of the energy read, w dt = 0.2'
+				# soft contact, half a brick long, is deep on edges
+				if level == 'rigid': allowed, reason = .07, 'documented: the work of contact on edges is not conserved exactly, to 7 %; see below for segments'
+				self.atMost('%s, %s: largest rise of energy over that of the blow' % (name, level), self.rise(name, level), allowed, reason)
 
-
+	def test_rise_falls_with_segments(self):
+		"""What a rigid brick gains that rocks on another after the joint has failed: it is the segments', not the joint's."""
+		for name in ('turned by 45 degrees in the plane', 'turned by 90 degrees in the plane'):
+			coarse, fine = self.rise(name, 'rigid', segments=4), self.rise(name, 'rigid', segments=16)
+			self.atMost(name + ': rise with 16 segments along an edge over that with 4', fine / coarse, .5, 'areas change while forces act at their middle: less with smaller ones')

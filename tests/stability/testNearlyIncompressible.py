@@ -44,7 +44,7 @@ class NearlyIncompressible(Case):
 				O.step()
 				most = math.sqrt((1 - .25**2) / (1 - poisson**2))
 				label = '%s, nu %g: limit of nu = .25 over limit' % (named(level, options), poisson)
-				self.atMost(label, plain / limit(), most, 'the stiffest springs, normal, of E/(1-nu^2)')
+				self.atMost(label, plain / limit(), most * (1 + 1e-9), 'the stiffest springs, normal, of E/(1-nu^2); round-off')
 
 	def test_free_vibration(self):
 		"""A column stands under its weight (StaticEquilibrium), the weight is taken away, sideways velocities are given: mean energies at the begin and end of 10000 steps."""
