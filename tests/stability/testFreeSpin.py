@@ -5,8 +5,8 @@
 # Of a tumbling brick it does not: YADE's NewtonIntegrator turns a body over a step with the angular velocity w (body axes) of the step's beginning, so
 # the body moment l = I w is turned about a fixed w. Its energy T = l.w / 2 gains by second order in the step
 #     dT = dt^2 / 2 (l x w).(I^-1 (l x w)) = dt^2 / 2 w'.(I w')            (Euler: I w' = l x w)
-# that is, l' = l x (w - dt/2 w') to the next order. The gain is never negative: T creeps up to L^2 / (2 I_min), spin about the axis of the least moment, and about the axis of the largest moment a nutation
-# grows, per unit of time, by
+# that is, l' = l x (w - dt/2 w') to the next order. The gain is never negative: T creeps up to L^2 / (2 I_min), spin about the axis of the least moment,
+# and about the axis of the largest moment a nutation grows, per unit of time, by
 #     dt W^2 / 2 (x y + (x + y) / 2),   x = I_max / I_1 - 1,  y = I_max / I_2 - 1 ,
 # and decays about that of the least (x, y < 0). This is the integrator's, first order in the step; the rows hold it to its closed form.
 import unittest
@@ -105,10 +105,12 @@ class FreeSpin(Case):
 		self.atMost('energy over that of the least moment of inertia', last / ceiling, 1 + 1e-12, 'all that the angular momentum allows')
 		wanted = tumbled(inertia, start, dt, count)
 		predicted = inertia @ wanted**2 / 2 / energy - 1
-		self.judge('gain of energy, relative', last / energy - 1, predicted, .02, 'the integrator as analysed above; second order in W dt = .002 is left, times what a turn parts')
+		reason = 'the integrator as analysed above; second order in W dt = .002 is left, times what a turn parts'
+		self.judge('gain of energy, relative', last / energy - 1, predicted, .02, reason)
 		for b in spun:
 			self.atMost('%s: change of angular momentum [kg m2/s]' % b.shape.deformation, (b.state.angMom - momentum).norm(), 0, 'no torque')
-			self.atMost(b.shape.deformation + ': orientation against that of the rigid one', (b.state.ori.toRotationMatrix() - first.state.ori.toRotationMatrix()).norm(), 0, 'the same body')
+			apart = (b.state.ori.toRotationMatrix() - first.state.ori.toRotationMatrix()).norm()
+			self.atMost(b.shape.deformation + ': orientation against that of the rigid one', apart, 0, 'the same body')
 		self.atMost('largest displacement of a node [m]', self.deformation(), 0, 'nothing loads the element')
 
 	def test_nutation(self):
@@ -127,4 +129,5 @@ class FreeSpin(Case):
 			began = size()
 			O.run(turns * perTurn, True)
 			rate = math.log(size() / began) / (turns * perTurn * dt)
-			self.judge('axis %d: growth of the nutation [1/s]' % (axis + 1), rate, dt * SPEED**2 / 2 * (x * y + (x + y) / 2), .02, 'closed form, first order in the step of W dt = .006')
+			expected = dt * SPEED**2 / 2 * (x * y + (x + y) / 2)
+			self.judge('axis %d: growth of the nutation [1/s]' % (axis + 1), rate, expected, .02, 'closed form, first order in the step of W dt = .006')
