@@ -145,7 +145,8 @@ class Invariance(Case):
 		speed = .2  # of bricks that are struck [m/s]: the loose one is a tenth of their mass, at 2.2 m/s
 
 		def noise(ulp):
-			return speed * STEPS * STEP * self.turned, speed * self.turned, 'the shear of joints that have cracked is turned by the angle that bricks have turned by: no more than that of their motion'
+			reason = 'the shear of joints that have cracked is turned by the angle that bricks have turned by: no more than that of their motion'
+			return speed * STEPS * STEP * self.turned, speed * self.turned, reason
 
 		self.check(self.renumbered(), noise=noise)
 

@@ -166,4 +166,5 @@ class FacesThatMeet(Case):
 		"""What a rigid brick gains that rocks on another after the joint has failed: it is the segments', not the joint's."""
 		for name in ('turned by 45 degrees in the plane', 'turned by 90 degrees in the plane'):
 			coarse, fine = self.rise(name, 'rigid', segments=4), self.rise(name, 'rigid', segments=16)
-			self.atMost(name + ': rise with 16 segments along an edge over that with 4', fine / coarse, .5, 'areas change while forces act at their middle: less with smaller ones')
+			reason = 'areas change while forces act at their middle: less with smaller ones'
+			self.atMost(name + ': rise with 16 segments along an edge over that with 4', fine / coarse, .5, reason)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# A column of 50 courses stands for some thousand steps in each level of deformation. Criterion and reason: see standingColumn.py; a million steps: slowStandingColumn.py.
+# A column of 50 courses stands for some thousand steps in each level of deformation. Criterion and reason: see standingColumn.py; a million
+# steps: slowStandingColumn.py.
 import unittest
 
 from standingColumn import *
