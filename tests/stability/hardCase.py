@@ -41,3 +41,37 @@ def mechanicalEnergy(gravity=GRAVITY):
 	"""Kinetic energy (half a step before), energy of all springs and deformation, and that of the heights of what moves [J]; after at least one step."""
 	kinetic, elastic = rest.energies([b.shape for b in bricks()])
 	return kinetic + elastic + gravity * sum(b.state.mass * b.state.pos[2] for b in moving())
+
+
+def steps(count):
+	"""Few steps one by one: O.run looks only every 40 ms whether it has come to its end."""
+	for _ in range(count):
+		O.step()
+
+
+class Energy:
+	"""Mechanical energy to second order in the step: all of its parts at the same time, kinetic energy as the mean of the half steps before and after."""
+
+	def __init__(self, gravity=GRAVITY):
+		self.gravity, self.shapes = gravity, [b.shape for b in bricks()]
+
+	def _parts(self):
+		"""Kinetic, of rigid motion and deformation; of deformation; of the heights of what moves [J]."""
+		kinetic = utils.kineticEnergy() + sum(s.kineticEnergy() for s in self.shapes)
+		height = self.gravity * sum(b.state.mass * b.state.pos[2] for b in moving()) if self.gravity else 0
+		return kinetic, sum(s.elasticEnergy() for s in self.shapes), height
+
+	def step(self):
+		"""Makes a step; energy at its beginning [J], with that of joints and contacts."""
+		before, deformed, height = self._parts()
+		O.step()
+		springs = sum(i.phys.elasticEnergy(i.geom) for i in O.interactions.all(onlyReal=True))
+		return (before + self._parts()[0]) / 2 + deformed + height + springs
+
+	def mean(self, count, every=1):
+		"""Over `count` values, taken every so many steps."""
+		total = 0
+		for _ in range(count):
+			total += self.step()
+			steps(every - 1)
+		return total / count
