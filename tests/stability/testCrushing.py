@@ -14,7 +14,7 @@ GROUP = 'Crushing'
 SIDE, SPEED = .2, 1.
 LEVELS = ('rigid', 'uniform', 'trilinear', 'refined')
 ALLOWED = .07
-LETTING_GO = 'likewise; where contact lets go, what it held may come back with the deformation that the brick has by then: at most the share of contact in the work'
+LETTING_GO = 'likewise; where contact lets go, what it held may come back to a brick that has deformed otherwise: at most the share of contact in the work'
 REASON = 'documented: at edges contact makes or loses up to 7 % of its work'
 
 

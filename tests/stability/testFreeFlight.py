@@ -46,7 +46,8 @@ class FreeFlight(Case):
 		O.engines = [ForceResetter(), NewtonIntegrator(gravity=(0, 0, -GRAVITY), damping=0)]
 		O.run(steps // 50 * 50, True)
 		different = sum(x != y for a, b in zip(got, self.motion()) for x, y in zip(a, b))
-		self.judge(name + 'numbers of the motion that differ from those of YADE alone', different, 0, 0, 'nothing acts, so that nothing may be added, not even a zero')
+		reason = 'nothing acts, so that nothing may be added, not even a zero'
+		self.judge(name + 'numbers of the motion that differ from those of YADE alone', different, 0, 0, reason)
 		self.judge(name + 'interactions kept', kept, 0, 0, APART)
 		self.judge(name + 'time in functors of contact [s]', spent, 0, 0, APART + '; a single call would add to it')
 
@@ -73,12 +74,15 @@ class FreeFlight(Case):
 					self.throw(b, Vector3(0, 0, -3 * side), Vector3(1, 2, side))
 			engines()
 			O.step()
+			O.timingEnabled = True
 			touched = set()
 			while O.time < .25:
 				for _ in range(max(1, round(2e-3 / O.dt))):
 					O.step()
 				touched |= {(i.id1, i.id2) for i in O.interactions if i.isReal}
+			O.timingEnabled = False
 			self.assertEqual(len(touched), len(LEVELS), 'all pairs were to collide')
+			self.assertGreater(self.secondsOfContact(), 0, 'the stopwatches were to tell')
 			if verletDist == 0:
 				ringing = [b.shape.elasticEnergy() > 0 for b in bricks() if b.shape.deformation != 'rigid']
 				self.assertTrue(all(ringing), 'deformable bricks were to ring')

@@ -4,13 +4,13 @@
 # Criteria:
 # - momentum and angular momentum stay, to round-off, at any step and speed;
 # - in short steps, without friction and dashpots, no energy is gained. What leap-frog adds when contact begins or ends between two steps is at most a share
-#   1/(1 - a/4) - 1, a = (omega dt)^2: between the steps in contact v^2 + omega^2 x(n) x(n+1) is constant, and x(n) x(n+1) lies between -(v dt)^2/4 and 0 where
-#   one of them is outside. Off the symmetric positions, and where edges bulge, the areas change while the force acts at their middle: to 7 %,
+#   1/(1 - a/4) - 1, a = (omega dt)^2: between the steps in contact v^2 + omega^2 x(n) x(n+1) is constant, and x(n) x(n+1) lies between -(v dt)^2/4 and 0
+#   where one of them is outside. Off the symmetric positions, and where edges bulge, the areas change while the force acts at their middle: to 7 %,
 #   as documented;
 # - faces give back the speed that the dashpot of eq. (4) predicts, at every speed alike;
 # - in steps of BrickTimeStepper and with the dashpots as they are by default, energy falls on the average over where between two steps contact begins;
-# - a brick does not pass through another. A segment that is deeper in than it is far from the side of the other brick is nearest to that side and presses no more:
-#   of 4 x 4 segments the outer ones at a depth of L/8, the inner ones at 3 L/8. Work to pass rigid cubes:  K/2 [(L/8)^2 + ((3 L/8)^2 - (L/8)^2)/4].
+# - a brick does not pass through another. A segment that is deeper in than it is far from the side of the other brick is nearest to that side and presses
+#   no more: of 4 x 4 segments the outer ones at a depth of L/8, the inner ones at 3 L/8. Work to pass rigid cubes:  K/2 [(L/8)^2 + ((3 L/8)^2 - (L/8)^2)/4].
 import unittest
 
 from hardCase import *
@@ -88,7 +88,7 @@ class Impact(Case):
 
 	def test_no_energy_gained(self):
 		"""No friction, no dashpots, steps of a fortieth of the limit, every level, way and speed."""
-		gain = 1 / (1 - .025**2) - 1
+		gain, reason = 1 / (1 - .025**2) - 1, 'contact begins and ends between two steps: at most 1/(1 - a/4), a = (2/40)^2'
 		for level in LEVELS:
 			for way in WAYS:
 				for speed in (1, 50):
@@ -96,7 +96,7 @@ class Impact(Case):
 					name = '%s, %s, %g m/s: ' % (level, way, speed)
 					self.conserved(name)
 					if way == 'oblique' or level != 'rigid' and way != 'face': self.judge(name + 'energy after over before', self.energy, 1, LOOP, CHANGING)
-					else: self.judge(name + 'energy after over before', self.energy, 1, gain, 'contact begins and ends between two steps: at most 1/(1 - a/4), a = (2/40)^2')
+					else: self.judge(name + 'energy after over before', self.energy, 1, gain, reason)
 
 	def test_energy_in_any_position(self):
 		"""The same for rigid and trilinear cubes that meet in positions all over the sphere, off the middle and from the side."""
@@ -110,7 +110,8 @@ class Impact(Case):
 				energies.append(self.energy)
 			self.atMost(level + ': energy gained, most of 40 positions', max(energies) - 1, LOOP, CHANGING)
 			self.atMost(level + ': energy lost, most of 40 positions', 1 - min(energies), LOOP, CHANGING)
-			self.judge(level + ': energy after over before, mean of 40 positions', sum(energies) / len(energies), 1, LOOP / 2, CHANGING + '; loss and gain alternate')
+			mean = sum(energies) / len(energies)
+			self.judge(level + ': energy after over before, mean of 40 positions', mean, 1, LOOP / 2, CHANGING + '; loss and gain alternate')
 
 	def test_steps_as_they_are(self):
 		"""Steps of BrickTimeStepper, eight phases of the step at which contact begins; with and without dashpots, and from the side at 45 degrees."""
@@ -125,8 +126,9 @@ class Impact(Case):
 			for level in LEVELS:
 				for way in WAYS:
 					energies = []
-					for k in range(8 if way == 'face' else 2):
-						self.collide(level, way, 3, h=.1, friction=FRICTION, phase=(k + .5) / (8 if way == 'face' else 2), onGround=onGround, sideways=way != 'face')
+					phases = 8 if way == 'face' else 2
+					for k in range(phases):
+						self.collide(level, way, 3, h=.1, friction=FRICTION, phase=(k + .5) / phases, onGround=onGround, sideways=way != 'face')
 						energies.append(self.energy)
 						if not onGround: self.conserved('%s, %s, phase %d: ' % (level, way, k))
 					reason = 'dashpots, friction: energy falls'
@@ -143,7 +145,8 @@ class Impact(Case):
 				self.conserved('E %g Pa, rigid, %s, %.3g m/s: ' % (young, way, .9 * stopped))
 				self.atMost('E %g Pa, rigid, %s, %.3g m/s: minus speed after over before' % (young, way, .9 * stopped), -self.back, 0, came)
 			self.collide('rigid', 'face', 1.1 * stopped, young=young, fraction=.025)
-			self.compare('E %g Pa, rigid, face, %.3g m/s: speed after over before' % (young, 1.1 * stopped), self.back, 1, 'faster rigid bricks pass: documented')
+			name = 'E %g Pa, rigid, face, %.3g m/s: speed after over before' % (young, 1.1 * stopped)
+			self.compare(name, self.back, 1, 'faster rigid bricks pass: documented')
 			for level in LEVELS[1:]:
 				for way in WAYS:
 					self.collide(level, way, 50, young=young, friction=FRICTION, h=.1)

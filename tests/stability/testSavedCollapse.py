@@ -20,7 +20,8 @@ GROUP = 'Saved and loaded in mid-collapse, threads'
 FORMATS = ('xml', 'xml.gz', 'xml.bz2', 'yade', 'yade.gz', 'yade.bz2')
 KINDS = (
         dict(deformation='rigid'), dict(deformation='trilinear', element='incompatible'), dict(deformation='uniform', inner='full'),
-        dict(deformation='refined', cells=3, segments=6), dict(deformation='trilinear', element='bbar', segments=3), dict(deformation='refined', element='incompatible')
+        dict(deformation='refined', cells=3, segments=6), dict(deformation='trilinear', element='bbar', segments=3),
+        dict(deformation='refined', element='incompatible')
 )
 FIRST, SECOND, LAST = 500, 2000, 3000  # steps after which it is saved, and its end
 BITS = 'bit by bit'
