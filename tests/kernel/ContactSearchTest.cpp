@@ -97,7 +97,11 @@ private:
 	}
 	Polygon::Vertex vertex(int column, int row) const
 	{
-		const Real      xi = 2. * column / owner.segments - 1, eta = 2. * row / owner.segments - 1;
+		return fields(2. * column / owner.segments - 1, 2. * row / owner.segments - 1);
+	}
+	/// Place, natural coordinates and heights of a point of the owner's face.
+	Polygon::Vertex fields(Real xi, Real eta) const
+	{
 		const Vector3r  x = place(xi, eta);
 		Polygon::Vertex v;
 		v.head<heightEntry>() << x, xi, eta;
@@ -139,13 +143,15 @@ private:
 	{
 		Polygon::Vertex centre;
 		int             nearest;
-		const Real      area = part.areaAndCentroid(centre), penetration = -centre.tail<faceCount>().maxCoeff(&nearest);
+		const Real      area        = part.areaAndCentroid(centre);
+		const Real      penetration = -fields(centre[3], centre[4]).tail<faceCount>().maxCoeff(&nearest);
 		if (!(area > 0) || !(penetration > 0) || cosine(nearest) <= 0 || (expected >= 0 && expected != nearest)) return;
 		ContactSpot spot;
 		spot.key   = contactKey(ownerIndex, face, nearest, segment);
 		spot.owner = ownerIndex, spot.ownerFace = face, spot.otherFace = nearest;
-		spot.position     = centre.head<3>();
+		part.pressedCentroid(heightEntry + nearest, centre);
 		spot.ownerNatural = centre.segment<2>(3);
+		spot.position     = place(centre[3], centre[4]);
 		spot.otherNatural = other.solid->faces[nearest].coordinates(spot.position);
 		spot.penetration  = penetration;
 		spot.area         = weight * cosine(nearest) * area;
@@ -445,7 +451,7 @@ TEST(ContactSearchTest, a_bulging_node_is_as_deep_and_as_wide_as_it_stands_out)
 			for (const auto& spot : spotsOf(pair[0], pair[1])) {
 				if (spot.owner != swapped) continue;
 				++tips;
-				EXPECT_NEAR(spot.penetration, b / 6, 1e-15); // mean of a triangle's corners, at b / 2, 0, 0; places round to 1e-16 m
+				EXPECT_NEAR(spot.penetration, b * 25 / 36 - b / 2, 1e-15); // at the triangle's centroid the face is out by b 5/6 5/6; places round to 1e-16 m
 				EXPECT_NEAR(spot.area, (edge / n / 2) * (edge / n / 2) / 4, 1e-8 * edge * edge); // half its weight; the slope is up to 2e-4
 				EXPECT_LE(std::abs(spot.ownerNatural[0] - (2. / n - 1)), 2. / n / 6 + 1e-9);
 				EXPECT_LE(std::abs(spot.ownerNatural[1] - (2. / n - 1)), 2. / n / 6 + 1e-9);

@@ -42,33 +42,30 @@ public:
 		keep([entry, other](const Vertex& v) { return v[other] - v[entry]; });
 	}
 
-	/// Area [m2], and the values at the centroid.
+	/// Area [m2], and the values at the centroid. By triangles about the mean of the vertices, so that of values that are not quite linear no vertex counts more
+	/// for standing first.
 	Real areaAndCentroid(Vertex& centroid) const
 	{
+		Real area = 0;
 		centroid.setZero();
-		Real          area = 0;
-		const Vertex& a    = vertices[outline.order[0]];
-		for (int i = 1; i + 1 < outline.count; ++i) {
-			const Vertex &b = vertices[outline.order[i]], &c = vertices[outline.order[i + 1]];
-			const Real    triangle = (b - a).template head<3>().cross((c - a).template head<3>()).norm() / 2;
+		forEachTriangle([&](const Vertex& a, const Vertex& b, const Vertex& c, Real triangle) {
 			area += triangle;
 			centroid += triangle / 3 * (a + b + c);
-		}
+		});
 		if (area > 0) centroid /= area;
 		return area;
 	}
 
-	/// The values where the force of a pressure proportional to minus an entry, which is nowhere above zero, acts. Not changed when there is no pressure.
-	void weightedCentroid(int entry, Vertex& centroid) const
+	/// The values where the force of a pressure acts that is proportional to minus an entry. Not changed when there is no pressure.
+	void pressedCentroid(int entry, Vertex& centroid) const
 	{
-		Vertex sum = Vertex::Zero();
 		Real   all = 0;
-		for (int i = 1; i + 1 < outline.count; ++i) {
-			const Vertex &a = vertices[outline.order[0]], &b = vertices[outline.order[i]], &c = vertices[outline.order[i + 1]];
-			const Real    triangle = (b - a).template head<3>().cross((c - a).template head<3>()).norm(), mean = a[entry] + b[entry] + c[entry];
-			sum += triangle * ((a[entry] + mean) * a + (b[entry] + mean) * b + (c[entry] + mean) * c);
-			all += triangle * 4 * mean;
-		}
+		Vertex sum = Vertex::Zero();
+		forEachTriangle([&](const Vertex& a, const Vertex& b, const Vertex& c, Real triangle) {
+			const Real three = a[entry] + b[entry] + c[entry];
+			sum += triangle * ((a[entry] + three) * a + (b[entry] + three) * b + (c[entry] + three) * c);
+			all += triangle * 4 * three;
+		});
 		if (all < 0) centroid = sum / all;
 	}
 
@@ -90,6 +87,20 @@ public:
 	}
 
 private:
+	/// The triangles about the mean of the vertices, with their areas.
+	template <class Use> void forEachTriangle(Use use) const
+	{
+		if (empty()) return;
+		Vertex mean = Vertex::Zero();
+		for (int i = 0; i < outline.count; ++i)
+			mean += vertices[outline.order[i]];
+		mean /= outline.count;
+		for (int i = 0; i < outline.count; ++i) {
+			const Vertex &b = vertices[outline.order[i]], &c = vertices[outline.order[i + 1 < outline.count ? i + 1 : 0]];
+			use(mean, b, c, (b - mean).template head<3>().cross((c - mean).template head<3>()).norm() / 2);
+		}
+	}
+
 	/// Keeps the part where a value is negative.
 	template <class Value> void keep(Value value)
 	{

@@ -358,29 +358,67 @@ void Vertices::fillRefined(const FacePair& pair, int count)
 		fillLanes<true>(pair, i);
 }
 
-template <bool refined> BRICK_INLINE void Vertices::fillLanes(const FacePair& pair, int first)
+/// Place of points of the owner's face. @param moved of a refined owner: from rest
+template <bool refined> BRICK_INLINE void placeOf(const FacePair& pair, const Lanes& u, const Lanes& v, Lanes (&x)[3], Vectors& moved)
 {
-	const Lanes u = loadLanes(xi + first), v = loadLanes(eta + first);
-	const bool  moves = refined && pair.view.ownerCells;
-	Lanes       x[3];
-	Vectors     moved; // of a refined owner: from rest
+	const bool moves = refined && pair.view.ownerCells;
 	if (moves) pair.view.displacementAt(pair.face, u, v, moved);
 	for (int i = 0; i < 3; ++i) {
 		x[i] = pair.place[i].at(u, v);
 		if (moves) x[i] += moved[i];
-		storeLanes(place[i] + first, x[i]);
 	}
+}
+
+/// Place of points of the owner's face, and their heights over the faces of the other body.
+template <bool refined> BRICK_INLINE void fieldsOf(const FacePair& pair, const Lanes& u, const Lanes& v, Lanes (&x)[3], Lanes (&h)[faceCount])
+{
+	Vectors moved;
+	placeOf<refined>(pair, u, v, x, moved);
 	for (int k = 0; k < pair.count; ++k) {
 		const Face& face = pair.view.other.solid->faces[pair.faces[k]];
-		Lanes       h    = pair.height[k].at(u, v);
-		if (moves) h += dot(moved, face.normal);
+		h[k]             = pair.height[k].at(u, v);
+		if (refined && pair.view.ownerCells) h[k] += dot(moved, face.normal);
 		if (pair.bulging >> pair.faces[k] & 1) {
 			Lanes p, q;
 			coordinatesOn(face, x, p, q);
-			h -= refined ? pair.view.bulgeAt(pair.faces[k], p, q) : pair.view.bulge[pair.faces[k]].at(p, q);
+			h[k] -= refined ? pair.view.bulgeAt(pair.faces[k], p, q) : pair.view.bulge[pair.faces[k]].at(p, q);
 		}
-		storeLanes(height[k] + first, h);
 	}
+}
+
+__attribute__((noinline)) void placeOfRefined(const FacePair& pair, const Lanes& u, const Lanes& v, Lanes (&x)[3])
+{
+	Vectors moved;
+	placeOf<true>(pair, u, v, x, moved);
+}
+__attribute__((noinline)) void fieldsOfRefined(const FacePair& pair, const Lanes& u, const Lanes& v, Lanes (&x)[3], Lanes (&h)[faceCount])
+{
+	fieldsOf<true>(pair, u, v, x, h);
+}
+
+/// The same of any bodies; code for refined ones stands apart, so that loops keep their registers.
+BRICK_INLINE void placeAt(const FacePair& pair, const Lanes& u, const Lanes& v, Lanes (&x)[3])
+{
+	Vectors none;
+	if (pair.view.ownerCells) placeOfRefined(pair, u, v, x);
+	else
+		placeOf<false>(pair, u, v, x, none);
+}
+BRICK_INLINE void fieldsAt(const FacePair& pair, const Lanes& u, const Lanes& v, Lanes (&x)[3], Lanes (&h)[faceCount])
+{
+	if (pair.view.ownerCells || pair.view.otherCells) fieldsOfRefined(pair, u, v, x, h);
+	else
+		fieldsOf<false>(pair, u, v, x, h);
+}
+
+template <bool refined> BRICK_INLINE void Vertices::fillLanes(const FacePair& pair, int first)
+{
+	Lanes x[3], h[faceCount];
+	fieldsOf<refined>(pair, loadLanes(xi + first), loadLanes(eta + first), x, h);
+	for (int i = 0; i < 3; ++i)
+		storeLanes(place[i] + first, x[i]);
+	for (int k = 0; k < pair.count; ++k)
+		storeLanes(height[k] + first, h[k]);
 }
 
 /// Spot of the part of a segment, still without its places.
@@ -466,17 +504,21 @@ private:
 	template <class Polygon> void addPart(const Polygon& polygon, int expected, std::vector<ContactSpot>& spots) const
 	{
 		typename Polygon::Vertex centre;
-		const Real               area    = polygon.areaAndCentroid(centre);
-		int                      nearest = 0;
+		const Real               area = polygon.areaAndCentroid(centre);
+		if (!(area > 0)) return;
+		Lanes x[3], heights[faceCount];
+		fieldsAt(pair, allLanes(centre[naturalEntry]), allLanes(centre[naturalEntry + 1]), x, heights);
+		int nearest = 0;
 		for (int i = 1; i < count; ++i)
-			if (centre[heightEntry + i] > centre[heightEntry + nearest]) nearest = i;
-		const Real penetration = -centre[heightEntry + nearest];
+			if (heights[which[i]][0] > heights[which[nearest]][0]) nearest = i;
+		const Real penetration = -heights[which[nearest]][0];
 		const int  otherFace   = pair.faces[which[nearest]];
-		if (!(area > 0) || !(penetration > 0) || pair.cosine[otherFace] <= 0) return;
+		if (!(penetration > 0) || pair.cosine[otherFace] <= 0) return;
 		if (expected != anyFace && nearest != expected) return;
-		polygon.weightedCentroid(heightEntry + nearest, centre);
+		polygon.pressedCentroid(heightEntry + nearest, centre);
+		placeAt(pair, allLanes(centre[naturalEntry]), allLanes(centre[naturalEntry + 1]), x);
 		ContactSpot& spot = addSpot(pair, vertices.segment[start], otherFace, spots);
-		spot.position     = centre.template head<3>();
+		spot.position     = { x[0][0], x[1][0], x[2][0] };
 		spot.ownerNatural = { centre[naturalEntry], centre[naturalEntry + 1] };
 		spot.otherNatural = pair.view.other.solid->faces[otherFace].coordinates(spot.position);
 		spot.penetration  = penetration;
@@ -522,8 +564,7 @@ struct EightSegments {
 	}
 };
 
-/// The part of a segment in contact: what varies linearly over the segment is told by weights of its corners. `Part` also has
-///     void pressed(const Lanes (&depth)[4], Lanes (&sum)[4]) const      integrals over the part of the depth times the weight of each corner
+/// The part of a segment in contact, as triangles about the mean of its vertices (as ClippedPolygon has them): a point is told by weights of the segment's corners.
 struct Part {
 	Lanes weight[4], area; ///< at the centroid
 };
@@ -540,31 +581,40 @@ BRICK_INLINE Lanes spanned(const Lanes (&u)[3], const Lanes (&v)[3])
 	return root(sum);
 }
 
-/// Of whole segments: two triangles each, as a polygon of four vertices has.
 struct WholePart : Part {
-	Lanes below, above; ///< areas of the triangles of the corners 0, 1, 2 and 0, 2, 3
+	Lanes triangle[4]; ///< areas: the mean, a corner and the next
 
 	BRICK_INLINE explicit WholePart(const EightSegments& segments)
 	{
-		Lanes side[3][3]; // from corner 0 to the others
+		Lanes spoke[4][3]; // from the mean to the corners
 		for (int i = 0; i < 3; ++i) {
-			const Lanes origin = segments.at(segments.vertices.place[i], 0);
-			for (int corner = 1; corner < 4; ++corner)
-				side[corner - 1][i] = segments.at(segments.vertices.place[i], corner) - origin;
+			Lanes mean {};
+			for (int corner = 0; corner < 4; ++corner)
+				mean += spoke[corner][i] = segments.at(segments.vertices.place[i], corner);
+			mean /= 4;
+			for (int corner = 0; corner < 4; ++corner)
+				spoke[corner][i] -= mean;
 		}
-		below = spanned(side[0], side[1]) / 2, above = spanned(side[1], side[2]) / 2, area = below + above;
-		weight[0] = weight[2] = allLanes(1. / 3);
-		weight[1] = below / (3 * area), weight[3] = above / (3 * area);
+		for (int corner = 0; corner < 4; ++corner)
+			triangle[corner] = spanned(spoke[corner], spoke[(corner + 1) % 4]) / 2;
+		area = (triangle[0] + triangle[2]) + (triangle[1] + triangle[3]);
+		// a twelfth by way of the mean
+		for (int corner = 0; corner < 4; ++corner)
+			weight[corner] = allLanes(1. / 12) + (triangle[corner] + triangle[(corner + 3) % 4]) / (3 * area);
 	}
+	/// Twelve times the integrals of the depth times the weight of each corner.
 	BRICK_INLINE void pressed(const Lanes (&depth)[4], Lanes (&sum)[4]) const
 	{
-		const Lanes one = depth[0] + depth[1] + depth[2], other = depth[0] + depth[2] + depth[3];
-		sum[0] = below * (depth[0] + one) + above * (depth[0] + other);
-		sum[1] = below * (depth[1] + one);
-		sum[2] = below * (depth[2] + one) + above * (depth[2] + other);
-		sum[3] = above * (depth[3] + other);
-		for (auto& x : sum)
-			x /= 12;
+		const Lanes mean = ((depth[0] + depth[2]) + (depth[1] + depth[3])) / 4;
+		Lanes       byMean {}, all[4];
+		for (int corner = 0; corner < 4; ++corner) {
+			all[corner] = mean + (depth[corner] + depth[(corner + 1) % 4]);
+			byMean += triangle[corner] * (mean + all[corner]);
+		}
+		for (int corner = 0; corner < 4; ++corner) {
+			const int before = (corner + 3) % 4;
+			sum[corner]      = byMean / 4 + (triangle[corner] * (depth[corner] + all[corner]) + triangle[before] * (depth[corner] + all[before]));
+		}
 	}
 };
 
@@ -589,72 +639,95 @@ struct PolygonVertex {
 	}
 };
 
-/// Of segments that are cut.
-struct CutPart : Part {
-	Lanes moments[4][4]; ///< integrals of the product of two corners' weights; j <= i
-
+/// Of segments of which one face of the other body cuts something off.
+class CutPart : public Part {
+public:
+	/// @param height of the corners over that face
+	BRICK_INLINE CutPart(const EightSegments& segments, const Lanes (&height)[4])
+	{
+		Lanes x[4][3];
+		for (int corner = 0; corner < 4; ++corner)
+			for (int i = 0; i < 3; ++i)
+				x[corner][i] = segments.at(segments.vertices.place[i], corner);
+		for (int here = 0; here < 4; ++here) {
+			const int  next = (here + 1) % 4;
+			const Mask in = height[here] < 0, crosses = in ^ (height[next] < 0);
+			present[2 * here] = in, present[2 * here + 1] = crosses;
+			vertex[2 * here].set(x, here, next, Lanes {});
+			vertex[2 * here + 1].set(x, here, next, crosses ? height[here] / (height[here] - height[next]) : Lanes {});
+		}
+		findMean();
+		findTriangles();
+	}
+	/// As of WholePart.
 	BRICK_INLINE void pressed(const Lanes (&depth)[4], Lanes (&sum)[4]) const
 	{
-		for (int i = 0; i < 4; ++i) {
-			sum[i] = Lanes {};
-			for (int j = 0; j < 4; ++j)
-				sum[i] += moments[std::max(i, j)][std::min(i, j)] * depth[j];
+		for (auto& s : sum)
+			s = Lanes {};
+		const auto depthAt = [&](const PolygonVertex& v) __attribute__((always_inline))
+		{
+			return (v.weight[0] * depth[0] + v.weight[2] * depth[2]) + (v.weight[1] * depth[1] + v.weight[3] * depth[3]);
+		};
+		const Lanes   middle = depthAt(mean);
+		PolygonVertex last   = before;
+		Lanes         lastDepth = depthAt(last);
+		for (int v = 0; v < vertices; ++v) {
+			const Lanes nextDepth = depthAt(vertex[v]), all = middle + (lastDepth + nextDepth);
+			for (int i = 0; i < 4; ++i)
+				sum[i] += triangle[v] * (((middle + all) * mean.weight[i] + (lastDepth + all) * last.weight[i]) + (nextDepth + all) * vertex[v].weight[i]);
+			last.replace(present[v], vertex[v]);
+			lastDepth = present[v] ? nextDepth : lastDepth;
 		}
 	}
-};
 
-/// The fan of triangles about the first vertex of polygons, a vertex after the other; as ClippedPolygon does it.
-struct Fan {
-	PolygonVertex first, last;
-	Mask          begun {};
-	CutPart       sum {};
+private:
+	static constexpr int vertices = 8; ///< the corners, and where the sides from each are cut
 
-	BRICK_INLINE void add(const PolygonVertex& next, const Mask& where)
+	PolygonVertex vertex[vertices], mean, before; ///< `before`: the last vertex, which comes before the first
+	Mask          present[vertices];
+	Lanes         triangle[vertices]; ///< area: the mean, the present vertex before and this one; none where this one is not present
+
+	BRICK_INLINE void findMean()
 	{
-		if (!bitsOf(where)) return;
-		Lanes u[3], v[3];
+		Lanes number {};
+		for (int i = 0; i < 4; ++i)
+			mean.weight[i] = before.weight[i] = Lanes {};
 		for (int i = 0; i < 3; ++i)
-			u[i] = last.place[i] - first.place[i], v[i] = next.place[i] - first.place[i];
-		const Lanes triangle = where & begun ? spanned(u, v) / 2 : Lanes {};
-		sum.area += triangle;
-		const Lanes third = triangle / 3, twelfth = triangle / 12;
-		Lanes       all[4];
-		for (int i = 0; i < 4; ++i) {
-			all[i] = first.weight[i] + last.weight[i] + next.weight[i];
-			sum.weight[i] += third * all[i];
-			for (int j = 0; j <= i; ++j)
-				sum.moments[i][j] += twelfth
-				        * ((all[i] * all[j] + first.weight[i] * first.weight[j]) + (last.weight[i] * last.weight[j] + next.weight[i] * next.weight[j]));
+			mean.place[i] = before.place[i] = Lanes {};
+		for (int v = 0; v < vertices; ++v) {
+			const Lanes one = present[v] ? allLanes(1.) : Lanes {};
+			number += one;
+			for (int i = 0; i < 4; ++i)
+				mean.weight[i] += one * vertex[v].weight[i];
+			for (int i = 0; i < 3; ++i)
+				mean.place[i] += one * vertex[v].place[i];
+			before.replace(present[v], vertex[v]);
 		}
-		first.replace(where & ~begun, next);
-		last.replace(where, next);
-		begun |= where;
+		for (auto& w : mean.weight)
+			w /= number;
+		for (auto& p : mean.place)
+			p /= number;
+	}
+	BRICK_INLINE void findTriangles()
+	{
+		area = Lanes {};
+		for (auto& w : weight)
+			w = Lanes {};
+		PolygonVertex last = before;
+		for (int v = 0; v < vertices; ++v) {
+			Lanes one[3], other[3];
+			for (int i = 0; i < 3; ++i)
+				one[i] = last.place[i] - mean.place[i], other[i] = vertex[v].place[i] - mean.place[i];
+			triangle[v] = present[v] ? spanned(one, other) / 2 : Lanes {};
+			area += triangle[v];
+			for (int i = 0; i < 4; ++i)
+				weight[i] += triangle[v] / 3 * (mean.weight[i] + (last.weight[i] + vertex[v].weight[i]));
+			last.replace(present[v], vertex[v]);
+		}
+		for (auto& w : weight)
+			w /= area;
 	}
 };
-
-/// Of segments of which one face of the other body cuts something off; its heights at the corners.
-BRICK_INLINE CutPart cutPart(const EightSegments& segments, const Lanes (&height)[4])
-{
-	Lanes x[4][3];
-	for (int corner = 0; corner < 4; ++corner)
-		for (int i = 0; i < 3; ++i)
-			x[corner][i] = segments.at(segments.vertices.place[i], corner);
-	Fan fan;
-	fan.first.set(x, 0, 0, Lanes {});
-	fan.last = fan.first;
-	for (int here = 0; here < 4; ++here) {
-		const int     next = (here + 1) % 4;
-		const Mask    in = height[here] < 0, crosses = in ^ (height[next] < 0);
-		PolygonVertex vertex;
-		vertex.set(x, here, next, Lanes {});
-		fan.add(vertex, in);
-		vertex.set(x, here, next, crosses ? height[here] / (height[here] - height[next]) : Lanes {});
-		fan.add(vertex, crosses);
-	}
-	for (auto& w : fan.sum.weight)
-		w /= fan.sum.area;
-	return fan.sum;
-}
 
 /// Spots of eight segments, each in contact with its nearest face.
 struct EightSpots {
@@ -680,27 +753,28 @@ template <class AnyPart> BRICK_INLINE void EightSpots::set(const FacePair& pair,
 	{
 		return (weight[0] * segments.at(values, 0) + weight[2] * segments.at(values, 2)) + (weight[1] * segments.at(values, 1) + weight[3] * segments.at(values, 3));
 	};
+	// The force of a spot must move what presses there, or deformation in a loop would do work: depth is read where the centroid is, not between corners.
+	Lanes x[3], heights[faceCount];
+	fieldsAt(pair, weighted(part.weight, vertices.xi), weighted(part.weight, vertices.eta), x, heights);
 	Lanes top = allLanes(-unbounded), face {}, cosine {}, depth[4] {};
 	for (int k = 0; k < pair.count; ++k) {
-		const Lanes height = weighted(part.weight, vertices.height[k]);
-		const Mask  higher = height > top;
-		top                = higher ? height : top;
-		face               = higher ? allLanes(Real(pair.faces[k])) : face;
-		cosine             = higher ? allLanes(pair.cosine[pair.faces[k]]) : cosine;
+		const Mask higher = heights[k] > top;
+		top               = higher ? heights[k] : top;
+		face              = higher ? allLanes(Real(pair.faces[k])) : face;
+		cosine            = higher ? allLanes(pair.cosine[pair.faces[k]]) : cosine;
 		for (int corner = 0; corner < 4; ++corner)
 			depth[corner] = higher ? -segments.at(vertices.height[k], corner) : depth[corner];
 	}
-	Lanes       weight[4];
+	Lanes weight[4];
 	part.pressed(depth, weight);
 	const Lanes sum = (weight[0] + weight[2]) + (weight[1] + weight[3]);
 	for (int corner = 0; corner < 4; ++corner)
 		weight[corner] = sum > 0 ? weight[corner] / sum : part.weight[corner];
-	Lanes x[3];
-	for (int i = 0; i < 3; ++i) {
-		x[i] = weighted(weight, vertices.place[i]);
+	const Lanes xi = weighted(weight, vertices.xi), eta = weighted(weight, vertices.eta);
+	placeAt(pair, xi, eta, x);
+	for (int i = 0; i < 3; ++i)
 		storeLanes(place[i], x[i]);
-	}
-	storeLanes(ownerNatural[0], weighted(weight, vertices.xi)), storeLanes(ownerNatural[1], weighted(weight, vertices.eta));
+	storeLanes(ownerNatural[0], xi), storeLanes(ownerNatural[1], eta);
 	Lanes p {}, q {};
 	for (int k = 0; k < pair.count; ++k) {
 		const Mask nearestHere = face == Real(pair.faces[k]);
@@ -777,7 +851,7 @@ BRICK_INLINE void Sweep::findCutOnce(int number)
 		const Real *h = vertices.height[cutBy[number + lane]] + cutOnce[number + lane], *g = h + vertices.stride;
 		height[0][lane] = h[0], height[1][lane] = h[1], height[2][lane] = g[1], height[3][lane] = g[0];
 	}
-	cut.set(pair, eight, cutPart(eight, height));
+	cut.set(pair, eight, CutPart(eight, height));
 }
 
 BRICK_INLINE void Sweep::run()
