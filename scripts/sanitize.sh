@@ -45,27 +45,27 @@ mkdir -p "$logs"
 
 failed=0
 
-# run <name> <command>: its output goes to a file; a line is printed, and what was found. What the command left in $logs/<name>.found* is judged.
+# run <name> <command>: its output goes to a file, which is judged with what else the command left in $logs/<name>.*; a line is printed, and what was found.
 run() {
 	name=$1
 	shift
 	began=$(date +%s) status=0 found=0
 	"$@" >"$logs/$name.out" 2>&1 </dev/null || status=$?
-	/usr/bin/python3 "$source/tests/sanitize/findings.py" "$logs/$name".found* >"$logs/$name.findings" || found=1
+	/usr/bin/python3 "$source/tests/sanitize/findings.py" "$logs/$name".* >"$logs/findings" || found=1
 	verdict='nothing found'
 	[ $status = 0 ] || verdict="exit status $status, see $logs/$name.out"
 	[ $found = 0 ] || verdict='FOUND'
 	[ "$verdict" = 'nothing found' ] || failed=1
 	printf '%-32s %5d s   %s\n' "$name" $(($(date +%s) - began)) "$verdict"
-	cat "$logs/$name.findings"
+	cat "$logs/findings"
 }
 
 # sanitize <name> <instruction set> <options of the address sanitizer> <command>
 sanitize() {
 	name=$1 set=$2 options=$3
 	shift 3
-	run "$name" env YADE_BRICK_INSTRUCTION_SET="$set" ASAN_OPTIONS="$options:detect_stack_use_after_return=1:log_path=$logs/$name.found" \
-		UBSAN_OPTIONS="print_stacktrace=1:log_path=$logs/$name.found.undefined" "$@"
+	run "$name" env YADE_BRICK_INSTRUCTION_SET="$set" ASAN_OPTIONS="$options:detect_stack_use_after_return=1" \
+		UBSAN_OPTIONS=print_stacktrace=1 "$@"
 }
 
 # memcheck <name> <instruction set> <command>
@@ -73,7 +73,7 @@ memcheck() {
 	name=$1 set=$2
 	shift 2
 	run "$name" env YADE_BRICK_INSTRUCTION_SET="$set" PYTHONMALLOC=malloc valgrind --trace-children=yes --num-callers=40 --track-origins=yes \
-		--leak-check=full --show-leak-kinds=definite --error-limit=no --xml=yes --xml-file="$logs/$name.found.%p.xml" "$@"
+		--leak-check=full --show-leak-kinds=definite --error-limit=no --xml=yes --xml-file="$logs/$name.%p.xml" "$@"
 }
 
 # YADE itself is not sanitized: libasan has to be there before it, and libstdc++ with it, whose exceptions libasan watches. Leaks are not looked for, since Python
@@ -87,28 +87,28 @@ for_each_set='Contact*:*Joint*:*Modes*:ModeColumns*'
 # large matrices in Eigen's hands; smaller ones go through the same code of ours
 slow='StableStepTest.*refined*:StableStepTest.bound_is_the_truth*:CondensedPartTest.*'
 
-run yade.ordinary "$ordinary/yade" -n -x -j1 "$session" 1
-sanitize kernel.sanitized 2 $kernel_options "$sanitized/tests/kernel/kernel_tests" --gtest_brief=1
+run yade-ordinary "$ordinary/yade" -n -x -j1 "$session" 1
+sanitize kernel-sanitized 2 $kernel_options "$sanitized/tests/kernel/kernel_tests" --gtest_brief=1
 for set in 0 1; do
-	sanitize kernel.sanitized.set$set $set $kernel_options "$sanitized/tests/kernel/kernel_tests" --gtest_brief=1 --gtest_filter="$for_each_set"
+	sanitize kernel-sanitized-set$set $set $kernel_options "$sanitized/tests/kernel/kernel_tests" --gtest_brief=1 --gtest_filter="$for_each_set"
 done
 for set in 0 1 2; do
-	sanitize yade.sanitized.set$set $set $yade_options LD_PRELOAD="$preload" "$sanitized/yade" -n -x -j1 "$session" 1
-	if [ "$(grep '^fingerprint' "$logs/yade.sanitized.set$set.out")" != "$(grep '^fingerprint' "$logs/yade.ordinary.out")" ]; then
-		echo "yade.sanitized.set$set ended otherwise than yade.ordinary: see their .out in $logs"
+	sanitize yade-sanitized-set$set $set $yade_options LD_PRELOAD="$preload" "$sanitized/yade" -n -x -j1 "$session" 1
+	if [ "$(grep '^fingerprint' "$logs/yade-sanitized-set$set.out")" != "$(grep '^fingerprint' "$logs/yade-ordinary.out")" ]; then
+		echo "yade-sanitized-set$set ended otherwise than yade-ordinary: see their .out in $logs"
 		failed=1
 	fi
 done
 if [ "$all" ]; then
 	for test in "$source"/tests/yade/test*.py; do
-		sanitize "yade.$(basename "$test" .py)" 2 $yade_options LD_PRELOAD="$preload" "$sanitized/yade" -n -x -j1 "$source/tests/yade/run.py" "$test"
+		sanitize "yade-$(basename "$test" .py)" 2 $yade_options LD_PRELOAD="$preload" "$sanitized/yade" -n -x -j1 "$source/tests/yade/run.py" "$test"
 	done
 fi
 if [ "$valgrind" ]; then
 	# valgrind knows no AVX-512: the library takes AVX2
-	memcheck kernel.memcheck 2 "$ordinary/tests/kernel/kernel_tests" --gtest_brief=1 --gtest_filter="-$slow"
-	memcheck kernel.memcheck.set0 0 "$ordinary/tests/kernel/kernel_tests" --gtest_brief=1 --gtest_filter="$for_each_set"
-	memcheck yade.memcheck 2 "$ordinary/yade" -n -x -j1 "$session" .2
+	memcheck kernel-memcheck 2 "$ordinary/tests/kernel/kernel_tests" --gtest_brief=1 --gtest_filter="-$slow"
+	memcheck kernel-memcheck-set0 0 "$ordinary/tests/kernel/kernel_tests" --gtest_brief=1 --gtest_filter="$for_each_set"
+	memcheck yade-memcheck 2 "$ordinary/yade" -n -x -j1 "$session" .2
 fi
 [ $failed = 0 ] && echo 'Nothing was found in our code.'
 exit $failed

@@ -2,13 +2,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What sanitizers and memcheck have found in our code, each place once.
 
-	findings.py file...     *.xml of memcheck, any other file of the sanitizers; a file that is not there is one that had nothing to say
+	findings.py file...     *.xml of memcheck, any other file with the output of a program that has sanitizers
 
 The exit status is 1 when there is any. The sanitizers see our code only. Memcheck sees all of a process: a finding is ours when one of its stacks goes through our
 library or our tests, so that memory which we left without a value and YADE reads is found too; what Python, YADE and the dynamic linker do among themselves is not.
 A leak is ours when our code asked for the memory, which is lost for certain; not what Boost and Python asked for when our code called them.
 """
-import os
 import re
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -55,19 +54,16 @@ def ofSanitizers(path):
 		lines = log.read().splitlines()
 	found = {}
 	for number, line in enumerate(lines):
-		if "runtime error:" in line or "ERROR: " in line:
+		if re.search(r": runtime error: |ERROR: \w+Sanitizer", line):
 			stack = [x for x in lines[number + 1:number + 1 + 2 * SHOWN] if re.match(r"\s*(#\d+ |[A-Z][a-z]+ of size)", x)][:SHOWN]
 			found.setdefault(re.sub(r"==\d+==|0x[0-9a-f]+", "", line), "\n".join([line] + stack))
-	if lines and not found:
-		found[path] = "\n".join(lines[:40])
 	return found
 
 
 def main(paths):
 	found = {}
 	for path in paths:
-		if os.path.exists(path):
-			found.update(ofMemcheck(path) if path.endswith(".xml") else ofSanitizers(path))
+		found.update(ofMemcheck(path) if path.endswith(".xml") else ofSanitizers(path))
 	for text in found.values():
 		print(text)
 	return 1 if found else 0
