@@ -58,6 +58,7 @@ template <class Archive> void serialize(Archive& ar, OrdinaryContact& c, unsigne
 	using boost::serialization::make_nvp;
 	ar& make_nvp("springs", c.springs) & make_nvp("memory", c.memory) & make_nvp("failureModes", c.failureModes);
 }
+template <class Archive> void serialize(Archive& ar, std::shared_ptr<OrdinaryContact>& contact, const unsigned) { boost::serialization::serializeShared(ar, contact); }
 
 /// Energy of a joint or contact, while O.trackEnergy.
 struct PairLedger {

@@ -12,6 +12,18 @@
 namespace boost {
 namespace serialization {
 
+	inline char standardPointers = 0; // its address tells the archive's helper for std::shared_ptr
+
+	/// As Boost's own, which has one helper in an archive for std::shared_ptr and for boost::shared_ptr: the first, whatever it is. YADE's objects come in the latter.
+	template <class A, class T> void serializeShared(A& ar, std::shared_ptr<T>& pointer)
+	{
+		T* object = pointer.get();
+		ar& make_nvp("px", object);
+		if constexpr (A::is_loading::value) ar.template get_helper<shared_ptr_helper<std::shared_ptr>>(&standardPointers).reset(pointer, object);
+	}
+
+	template <class A> void serialize(A& ar, std::shared_ptr<brick::JointShape>& shape, const unsigned) { serializeShared(ar, shape); }
+
 	template <class A> void serialize(A& ar, brick::PairSprings& s, unsigned)
 	{
 		for (int i = 0; i < 2; ++i)

@@ -340,14 +340,15 @@ BRICK_INLINE void Vertices::fill(const FacePair& pair, int first)
 	for (int row = first; row <= first + rows; ++row)
 		for (int column = pair.columns.begin; column <= pair.columns.end; ++column, ++i)
 			xi[i] = 2. * column / n - 1, eta[i] = 2. * row / n - 1, segment[i] = column < pair.columns.end ? row * n + column : none;
-	const int count = i;
-	for (; i < count + lanes; ++i)
+	// the last eight starts are read as a whole, although not all of them are segments
+	const int read = (starts() + lanes - 1) / lanes * lanes + stride + 1;
+	for (; i < read + lanes; ++i)
 		xi[i] = eta[i] = 0;
 	if (pair.view.ownerCells || pair.view.otherCells) {
-		fillRefined(pair, count);
+		fillRefined(pair, read);
 		return;
 	}
-	for (i = 0; i < count; i += lanes)
+	for (i = 0; i < read; i += lanes)
 		fillLanes<false>(pair, i);
 }
 

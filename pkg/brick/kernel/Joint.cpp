@@ -269,10 +269,12 @@ std::optional<Joint> joinFaces(const Side& side0, int face0, const Side& side1, 
 
 void Joint::setMortar(const SpotSprings& springs, const MortarStrength& strength, const PairSprings& pair)
 {
-	shape           = std::make_shared<JointShape>(*shape);
-	shape->springs  = springs;
-	shape->strength = strength;
-	shape->pair     = pair;
+	// what is given may be the present shape's own
+	auto changed      = std::make_shared<JointShape>(*shape);
+	changed->springs  = springs;
+	changed->strength = strength;
+	changed->pair     = pair;
+	shape             = std::move(changed);
 }
 
 namespace {
