@@ -330,7 +330,8 @@ namespace {
 		}
 		geom.contact.reset(new BrickGeom::Contact);
 		geom.contact->sides = { side0, side1 };
-		phys.joint          = brick::Joint();
+		brick::findContact(side0, side1, geom.contact->spots); // for those who read energy and stiffness in this step
+		phys.joint = brick::Joint();
 	}
 
 } // namespace

@@ -108,8 +108,30 @@ namespace {
 
 } // namespace
 
+namespace {
+
+	/// Shear stress on side 0 of the joint's segment nearest to a point of side s, body axes; of segments equally near the mean, so that round-off does not choose.
+	Vector3r nearestShear(const Joint& joint, const JointMotion& motion, Real tanFriction, int s, const Vector3r& point, Real roundOff)
+	{
+		const auto distance = [&](int i) {
+			const JointSegment segment = segmentOf(joint, i);
+			return (joint.shape->patches[segment.patch].sides[s].corners.transpose() * cornerWeights(segment.p, segment.q) - point).norm();
+		};
+		Real least = std::numeric_limits<Real>::infinity();
+		for (int i = 0; i < joint.count(); ++i)
+			least = std::min(least, distance(i));
+		Vector3r sum   = Vector3r::Zero();
+		int      count = 0;
+		for (int i = 0; i < joint.count(); ++i)
+			if (distance(i) <= least + roundOff) sum += segmentTraction(joint, i, motion, tanFriction).shear, ++count;
+		return sum / count;
+	}
+
+} // namespace
+
 ContactMemory tractionsOfJoint(const Joint& joint, const JointMotion& motion, Real tanFriction, const Side& side0, const Side& side1)
 {
+	constexpr Real                   roundOff = 1e-6; // of a segment
 	ContactMemory                    memory;
 	const std::array<const Side*, 2> sides { &side0, &side1 };
 	for (int s = 0; s < 2; ++s) {
@@ -118,16 +140,9 @@ ContactMemory tractionsOfJoint(const Joint& joint, const JointMotion& motion, Re
 		const Face&      face      = sides[s]->solid->faces[jointFace.face];
 		const int        n = sides[s]->segments, otherFace = faceNumber(joint.shape->faces[!s], *sides[!s]->solid);
 		for (int cell = 0; cell < n * n; ++cell) {
-			const Vector3r centre = face.at((2. * (cell % n) + 1) / n - 1, (2. * (cell / n) + 1) / n - 1);
-			// nearest segment of the joint; a cell that the joint does not reach will find no partner and forget it
-			int  nearest  = 0;
-			Real distance = std::numeric_limits<Real>::infinity();
-			for (int i = 0; i < joint.count(); ++i) {
-				const JointSegment segment = segmentOf(joint, i);
-				const Vector3r     x       = joint.shape->patches[segment.patch].sides[s].corners.transpose() * cornerWeights(segment.p, segment.q);
-				if ((x - centre).squaredNorm() < distance) distance = (x - centre).squaredNorm(), nearest = i;
-			}
-			const Vector3r onSide0 = segmentTraction(joint, nearest, motion, tanFriction).shear;
+			// a cell that the joint does not reach will find no partner and forget it
+			const Vector3r centre  = face.at((2. * (cell % n) + 1) / n - 1, (2. * (cell / n) + 1) / n - 1);
+			const Vector3r onSide0 = nearestShear(joint, motion, tanFriction, s, centre, roundOff * std::sqrt(face.area) / n);
 			memory.keys.push_back(contactKey(s, jointFace.face, otherFace, cell));
 			memory.tractions.push_back((s == 0 ? 1 : -1) * (sides[s]->placement.rotation.transpose() * onSide0));
 		}
