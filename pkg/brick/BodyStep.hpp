@@ -10,8 +10,8 @@ struct BodyStep {
 	Vector3r force { Vector3r::Zero() }, torque { Vector3r::Zero() };
 	bool     any        = false; // some joint or contact acts on the body
 	bool     released   = false; // a brick that its joints hold apart from others no more
-	Real     work       = 0;     // done on the body, deformation included, since the step before [J]
-	Real     modesAfter = 0;     // done on the deformation in the half step after this step [J]
+	Real     power      = 0;     // of force and torque with the velocities of half a step before [W]
+	Real     work       = 0;     // that the kinetic energy of half a step ago came from: of the step before, on the deformation of this one [J]
 	Real     gained     = 0;     // work since the guard's window has begun [J]
 };
 

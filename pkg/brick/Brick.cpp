@@ -216,8 +216,7 @@ const brick::InnerPart* Brick::innerPart(const BrickMat& material)
 	return inside.get();
 }
 
-std::array<Real, 2>
-Brick::advance(const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt, bool nodeRates, brick::ModeEnergy* energy)
+Real Brick::advance(const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt, bool nodeRates, brick::ModeEnergy* energy)
 {
 	const auto& modes = inside->modes;
 	const int   count = modes.count();
@@ -231,7 +230,7 @@ Brick::advance(const brick::NodalVectors& forces, Real dampingRatio, Real localD
 	if (energy) *energy = brick::modeEnergy(modes.omegaSquared, load, amplitudes0.data(), rates0.data(), rates.data(), dampingRatio, localDamping, dt);
 	const Real after = f.dot(rate);
 	updateNodes(nodeRates); // overwrites the loads
-	return { dt / 2 * before, dt / 2 * after };
+	return dt / 2 * (before + after);
 }
 
 void Brick::setAmplitudes(const std::vector<Real>& given)

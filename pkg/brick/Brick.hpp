@@ -51,9 +51,8 @@ public:
 	/// Moves the deformation part by a step under nodal forces in body axes [N].
 	/// @param localDamping of the modes, as NewtonIntegrator.damping is of the rigid motion   @param nodeRates whether the rates of the nodes are wanted
 	/// @param energy of the modes in this step; null: not wanted
-	/// @return work of the forces on the modes, in the half steps before and after [J]
-	std::array<Real, 2>
-	advance(const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt, bool nodeRates, brick::ModeEnergy* energy = nullptr);
+	/// @return work of the forces on the modes [J]
+	Real advance(const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt, bool nodeRates, brick::ModeEnergy* energy = nullptr);
 
 	/// Whether a node of the surface is outside of a box, world axes.
 	bool reachesOut(const State&, const Vector3r& lower, const Vector3r& upper) const;

@@ -157,7 +157,8 @@ void BrickDynamics::moveOn(Body& b, BodyStep& step)
 	for (int i = first; i < end; ++i)
 		total.add(static_cast<const BrickPhys&>(*acting[i]), b.getId());
 	step.force = total.force, step.torque = total.torque;
-	step.work  = lastDt / 2 * ((last.force + step.force).dot(s.vel) + (last.torque + step.torque).dot(s.angVel)) + last.modesAfter;
+	step.power = step.force.dot(s.vel) + step.torque.dot(s.angVel);
+	step.work  = lastDt / 2 * (last.power + last.force.dot(s.vel) + last.torque.dot(s.angVel));
 	if (shape) moveBrickOn(b, *shape, nodal, step, total.holding);
 }
 
@@ -171,8 +172,7 @@ void BrickDynamics::moveBrickOn(Body& b, Brick& shape, const brick::NodalVectors
 	const bool dashpots = !shape.whole || shape.contactStep == scene->iter;
 	if (shape.isDeformable()) {
 		brick::ModeEnergy* const energy = scene->trackEnergy ? &energyLedger.modes[b.getId()] : nullptr;
-		const auto work = shape.advance(nodal, static_cast<const BrickMat&>(*b.material).dampingRatio, damping, scene->dt, dashpots, energy);
-		step.work += work[0], step.modesAfter = work[1];
+		step.work += shape.advance(nodal, static_cast<const BrickMat&>(*b.material).dampingRatio, damping, scene->dt, dashpots, energy);
 	}
 	if (!scene->doSort && !scene->isPeriodic) askForNewBounds(b, shape);
 }

@@ -7,8 +7,8 @@ namespace yade {
 
 namespace {
 
-	constexpr long windowSteps   = 1000;
-	constexpr Real share         = .5;
+	constexpr long windowSteps    = 1000;
+	constexpr Real room           = 10;
 	constexpr Real smallestStrain = 1e-7; // hundredth of what cracks mortar: energy below that of all bricks under this strain is no alarm
 
 	Real kineticEnergy(const Scene& scene)
@@ -60,9 +60,9 @@ void EnergyGuard::begin(Scene& scene)
 
 bool EnergyGuard::isTooMuch(const Scene& scene) const
 {
-	if (!(work > held + share * (held + moving) + least)) return false;
+	if (!(work > held + room * (held + moving) + least)) return false;
 	const Real outside = kineticEnergy(scene) - moving - work; // gravity, ground, supports that move
-	return work > held + share * (held + moving + std::abs(outside)) + least;
+	return work > held + room * (held + moving + std::abs(outside)) + least;
 }
 
 std::optional<EnergyGuard::Gain> EnergyGuard::add(const Scene& scene, std::vector<BodyStep>& steps)

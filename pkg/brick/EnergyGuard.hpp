@@ -3,8 +3,9 @@
 //
 // Whatever they do - hold, crack, rub, damp - joints and contacts can only give back what their springs and the bricks' deformation hold. Within any time their
 // work on all bodies is therefore at most the elastic energy at its beginning. The guard sums the work in windows of steps, which needs the elastic energy once a
-// window only, and leaves room for the errors of a step: half of what there is to be had, kinetic and elastic energy at the beginning and work from outside.
-// An unstable time step passes any such mark within some tens of steps; a run that is sound does not come near it (see tests/stability).
+// window only. The work is that which made the present velocities, of half a step before: leap-frog shows more of it than there is, by 1 / (1 - (omega dt / 2)^2),
+// so the guard leaves room for ten times all that there is to be had, kinetic and elastic energy at the beginning and work from outside. An unstable time step
+// passes any such mark within some tens of steps. (The energy of whole steps, EnergyLedger.hpp, is conserved even then: its kinetic part becomes negative.)
 #pragma once
 
 #include "BodyStep.hpp"

@@ -112,7 +112,7 @@ def engines(gravity=(0, 0, -GRAVITY), damping=0, safety=.9, before=(), after=())
 	                [Ig2_Brick_Brick_BrickGeom(), Ig2_Wall_Brick_BrickGeom()], [Ip2_BrickMat_BrickMat_BrickPhys()], [Law2_BrickGeom_BrickPhys_Mortar()]
 	        ),
 	        BrickTimeStepper(safety=safety),
-	        BrickDynamics(damping=damping), *before,
+	        BrickDynamics(damping=damping, stopFile=""), *before,
 	        NewtonIntegrator(gravity=gravity, damping=damping), *after
 	]
 
