@@ -19,6 +19,8 @@ def patches(bodies, colors=None):
 	:returns: list of picture.Patch with the deformed corners in world axes [m]; fixed bricks are supports
 	"""
 	from yade import Brick
+	if colors is not None and not isinstance(colors, dict):
+		raise ValueError(f"colors is {colors!r}; allowed is a dict from body id to a colour or a number")
 	found = []
 	for body in bodies:
 		if body is None or not isinstance(body.shape, Brick):

@@ -24,7 +24,7 @@ import warnings
 
 import inputs
 
-hangSeconds = 60  # an example does at most some hundred steps of a few bricks, which take less than a second, and may draw a picture
+hangSeconds = 30  # an example does at most some hundred steps of a few bricks, which take less than a second, and may draw a picture
 memory = 4 << 30  # bytes a YADE may use: a broken count in a file must not take the machine's memory
 
 
