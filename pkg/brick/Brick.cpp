@@ -113,7 +113,8 @@ namespace {
 				        " Pa and density = ",
 				        type.density,
 				        " kg/m3 do not go with its size"));
-		return entry = found;
+		entry = found;
+		return found;
 	}
 
 	/// Rest geometries in use, likewise.
