@@ -102,17 +102,12 @@ namespace {
 		auto& entry = inUse[key];
 		auto  found = entry.lock();
 		if (found) return found;
-		found = shared_ptr<const brick::InnerPart>(new brick::InnerPart(type));
-		for (const Real w : found->modes.omegaSquared)
-			if (!(w > 0) || !std::isfinite(w))
-				throw std::invalid_argument(brick::message(
-				        "Brick: a mode of deformation has the squared frequency ",
-				        w,
-				        " 1/s2, which must be finite and above 0; young = ",
-				        type.young,
-				        " Pa and density = ",
-				        type.density,
-				        " kg/m3 do not go with its size"));
+		try {
+			found = shared_ptr<const brick::InnerPart>(new brick::InnerPart(type));
+		} catch (const std::invalid_argument& problem) {
+			throw std::invalid_argument(brick::message(
+			        "Brick with young = ", type.young, " Pa, poisson = ", type.poisson, ", density = ", type.density, " kg/m3: ", problem.what()));
+		}
 		entry = found;
 		return found;
 	}

@@ -2,7 +2,9 @@
 # What the fuzzer tries, as hypothesis strategies. An example is plain data (numbers, texts, lists, dicts), so that it can be handed to a YADE as JSON,
 # printed and tried again: {'kind': ..., ...}; examples.py says what each kind does.
 #
-# Left out is what YADE itself does not survive without any brick: bodies without state, erased bodies that an engine is asked to move.
+# Left out is what YADE itself does not survive, without any brick either: bodies without state, an InteractionLoop that lacks the physics or law of bodies
+# that touch, a Wall across no axis, a periodic cell smaller than a body, binary files (.yade) that are broken. And what a saved file says of the inside of
+# joints, which is taken as it is.
 """Strategies for examples of good, odd and broken input."""
 
 import json
@@ -140,9 +142,9 @@ _engineLists = st.one_of(
         st.sets(st.sampled_from(engineNames), max_size=2).map(lambda gone: [name for name in engineNames if name not in gone])
 )
 _functors = st.one_of(st.just([]), st.lists(st.sampled_from(("Bo1_Brick_Aabb", "Bo1_Wall_Aabb", "Bo1_Box_Aabb", "Ig2_Brick_Brick_BrickGeom", "Ig2_Wall_Brick_BrickGeom",
-                                              "Ig2_Box_Brick_BrickGeom", "Ip2_FrictMat_BrickMat_BrickPhys", "Ip2_BrickMat_BrickMat_BrickPhys", "Law2_BrickGeom_BrickPhys_Mortar")), max_size=2))
+                                              "Ig2_Box_Brick_BrickGeom")), max_size=2))
 _supports = st.one_of(st.none(), st.just({"shape": "wall"}), st.fixed_dictionaries({"shape": st.sampled_from(("wall", "box"))}, optional={
-        "material": st.sampled_from(("brick", "frict", "elast", "none")), "axis": st.integers(-1, 3), "sense": st.integers(-2, 2), "extents": st.lists(oddNumbers, min_size=3, max_size=3)}))
+        "material": st.sampled_from(("brick", "frict", "elast", "none")), "axis": st.integers(0, 2), "sense": st.integers(-2, 2), "extents": st.lists(oddNumbers, min_size=3, max_size=3)}))
 
 _place = st.integers(0, 4)  # of a brick among those that there are
 _stateAttributes = ("pos", "vel", "angVel", "angMom", "inertia", "refPos", "mass", "densityScaling", "blockedDOFs", "ori")
@@ -167,7 +169,7 @@ _sets = st.one_of(
         st.tuples(st.just("engine"), st.just("NewtonIntegrator"), st.just("gravity"), oddVectors),
         st.tuples(st.just("engine"), st.sampled_from(engineNames), st.just("dead"), st.booleans()),
         st.tuples(st.just("scene"), st.just(0), st.just("dt"), st.one_of(st.sampled_from((1e-6, 1e-5, 1e-3, 0.1)), oddNumbers)),
-        st.tuples(st.just("scene"), st.just(0), st.sampled_from(("trackEnergy", "periodic", "timingEnabled")), st.booleans()),
+        st.tuples(st.just("scene"), st.just(0), st.sampled_from(("trackEnergy", "timingEnabled")), st.booleans()),
 )
 _actions = st.one_of(
         st.tuples(st.just("step"), st.sampled_from((1, 1, 2, 5, 20))), st.tuples(st.just("run"), st.sampled_from((1, 5))),
@@ -211,8 +213,8 @@ files = st.fixed_dictionaries({
 
 #: Scenes saved by YADE, then broken. Values of attributes are changed in the XML.
 savedScenes = st.fixed_dictionaries({
-        "kind": st.just("saved"), "when": st.integers(0, 3), "format": st.sampled_from((".xml", ".xml", ".yade", ".xml.gz", ".xml.bz2")), "breaks": st.one_of(st.just([]), _breaks),
-        "values": st.lists(st.tuples(st.integers(0, 10**6), st.sampled_from(("0", "1", "-1", "7", "nan", "inf", "-1e300", "1e300", "2147483647", "-2147483648", "99999999999", "x", "", "4"))), max_size=3),
+        "kind": st.just("saved"), "when": st.integers(0, 3), "format": st.sampled_from((".xml", ".xml", ".xml", ".xml.gz", ".xml.bz2")), "breaks": st.one_of(st.just([]), _breaks),
+        "values": st.lists(st.tuples(st.integers(0, 10**6), st.sampled_from(("0", "1", "-1", "7", "nan", "inf", "-1e30", "1e30", "2147483647", "-2147483648", "99999999999", "x", "", "4"))), max_size=3),
         "steps": st.integers(0, 20)
 })
 
