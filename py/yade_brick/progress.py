@@ -84,7 +84,10 @@ def _endOfStage(scene, duration, until):
 		raise ValueError(f"until is {until!r} s; allowed is a finite time later than the present {scene.time:g} s")
 	if not (math.isfinite(scene.dt) and scene.dt > 0):
 		raise ValueError(f"O.dt is {scene.dt}; set a finite time step > 0 s before running")
-	return until if until is not None else scene.time + duration
+	end = until if until is not None else scene.time + duration
+	if not end > scene.time:
+		raise ValueError(f"duration is {duration} s; after {scene.time:g} s that is less than round-off of the time")
+	return end
 
 
 def _isFinite(value):

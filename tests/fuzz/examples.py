@@ -300,7 +300,7 @@ def addMotion(given):
 
 def addForce(place, value):
 	b = pick(bricks(), place)
-	if b is not None: O.forces.setPermF(b.id, Vector3(*value))
+	if b is not None and b.iterBorn < O.iter: O.forces.setPermF(b.id, Vector3(*value))
 
 
 def withBill():
@@ -327,8 +327,8 @@ def record():
 
 def rest():
 	found = restState()
-	mustBeFinite('restState', [found.kinetic, found.elastic])
-	if math.isnan(found.imbalance): raise Finding('restState().imbalance is NaN')
+	if O.iter > 0 and not given: mustBeFinite('restState', [found.kinetic, found.elastic])
+	if not given and math.isnan(found.imbalance): raise Finding('restState().imbalance is NaN')
 
 
 def drawn():
@@ -342,15 +342,17 @@ actions = {
         'clear': lambda: O.interactions.clear(), 'solve': solve, 'progress': lambda: runWithProgress(duration=3 * O.dt, stream=open(os.devnull, 'w')), 'reset': lambda: O.resetTime()
 }
 _stepping = ('step', 'run', 'bill', 'progress')
+given = False  # whether something was set since the last step: what is read then is what was given
 
 
 def tryScene(example):
 	makeScene(example)
-	stepped = failed = False
+	global given
+	failed = given = False
 	for name, *arguments in example['actions']:
+		given = name in ('set', 'force', 'saved') or (given and name not in _stepping)
 		outcome = attempt(actions[name], *arguments)
 		failed = failed or refused(outcome)
-		stepped = stepped or name in _stepping
 		# what was set since the last step is what was given
 		if name in _stepping and not failed: failed = not isFinite()
 	return 'refused' if failed else 'finite'

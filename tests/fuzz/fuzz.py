@@ -141,7 +141,7 @@ class Search:
 def main():
 	parser = argparse.ArgumentParser(description=__doc__)
 	parser.add_argument("--yade", required=True)
-	parser.add_argument("--count", type=int, default=400, help="examples of all kinds together")
+	parser.add_argument("--count", type=int, default=1000, help="examples of all kinds together")
 	parser.add_argument("--seed", type=int, help="chooses the examples; without it always the same")
 	parser.add_argument("--seconds", type=float, help="end after so much time")
 	parser.add_argument("--kind", choices=sorted(inputs.kinds), action="append")

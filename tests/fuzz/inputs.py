@@ -3,7 +3,8 @@
 # printed and tried again: {'kind': ..., ...}; examples.py says what each kind does.
 #
 # Left out is what YADE itself does not survive, without any brick either: bodies without state, an InteractionLoop that lacks the physics or law of bodies
-# that touch, a Wall across no axis, a periodic cell smaller than a body, binary files (.yade) that are broken. And what a saved file says of the inside of
+# that touch, a Wall across no axis, a periodic cell smaller than a body, a TimeStepper that works every 0 steps, a permanent force on a body that was added
+# since the last step, files that are broken but no XML (.yade, .bz2). And what a saved file says of the inside of
 # joints, which is taken as it is.
 """Strategies for examples of good, odd and broken input."""
 
@@ -162,7 +163,7 @@ _sets = st.one_of(
         st.tuples(st.just("body"), _place, st.just("material"), st.sampled_from(("brick", "frict", "elast", "none"))),
         st.tuples(st.just("body"), _place, st.sampled_from(("dynamic", "bounded", "aspherical")), st.booleans()),
         st.tuples(st.just("engine"), st.just("BrickDynamics"), st.just("damping"), oddNumbers),
-        st.tuples(st.just("engine"), st.just("BrickTimeStepper"), st.sampled_from(("safety", "active", "timeStepUpdateInterval")), st.one_of(oddNumbers, st.booleans())),
+        st.tuples(st.just("engine"), st.just("BrickTimeStepper"), st.sampled_from(("safety", "active")), st.one_of(oddNumbers, st.booleans())),
         st.tuples(st.just("engine"), st.just("GroundMotion"), st.sampled_from(("dt", "startTime")), oddNumbers),
         st.tuples(st.just("engine"), st.just("GroundMotion"), st.just("ids"), st.lists(st.integers(-1, 7), max_size=2)),
         st.tuples(st.just("engine"), st.just("GroundMotion"), st.just("acceleration"), st.lists(oddVectors, max_size=3)),
@@ -213,7 +214,7 @@ files = st.fixed_dictionaries({
 
 #: Scenes saved by YADE, then broken. Values of attributes are changed in the XML.
 savedScenes = st.fixed_dictionaries({
-        "kind": st.just("saved"), "when": st.integers(0, 3), "format": st.sampled_from((".xml", ".xml", ".xml", ".xml.gz", ".xml.bz2")), "breaks": st.one_of(st.just([]), _breaks),
+        "kind": st.just("saved"), "when": st.integers(0, 3), "format": st.just(".xml"), "breaks": st.one_of(st.just([]), _breaks),
         "values": st.lists(st.tuples(st.integers(0, 10**6), st.sampled_from(("0", "1", "-1", "7", "nan", "inf", "-1e30", "1e30", "2147483647", "-2147483648", "99999999999", "x", "", "4"))), max_size=3),
         "steps": st.integers(0, 20)
 })

@@ -273,6 +273,18 @@ class Joints(Refused):
 		O.bodies[2].material = FrictMat()
 		self.refused(['#2', 'BrickMat'], self.lay)
 
+	def test_record_leaves_out_joints_that_have_failed_before(self):
+		collapse.build(2, 2)
+		O.step()
+		count = JointRecord().segmentCount()
+		O.bodies[4].state.vel = Vector3(0, 0, 20)
+		while len([i for i in O.interactions if i.isReal and i.phys.segmentState and not i.phys.jointed]) == 0 and O.iter < 1000:
+			O.step()
+		record = JointRecord()
+		record.update()
+		record.marks()
+		self.assertLess(record.segmentCount(), count)
+
 	def test_energies_before_the_first_step(self):
 		collapse.build(2, 2)
 		self.refused(['first step'], restState, error=RuntimeError)
