@@ -207,7 +207,8 @@ void Brick::postLoad(Brick&)
 		solid = shape;
 		for (int f = 0; f < brick::faceCount; ++f)
 			contactLength[f] = found.deformation == brick::Deformation::Rigid ? solid->distance(f) : contactThickness;
-	}
+	} else if (solid)
+		throw std::invalid_argument("Brick.corners: none given; a brick that has corners can only be given eight others");
 	checkDeformation(*this, found.deformation, found.cells);
 	checked = found;
 	counted = false;

@@ -429,6 +429,8 @@ _lineColors = ("#1f4e79", "#c0562f", "#3d7a4a", "#7b4b94", "#8a6d1f", "#555555")
 #: A panel shows at least this share of the largest displacement, so that what stands still is drawn as a line and not as round-off.
 flatShare = 1e-4
 
+_largestDrawn = 1e100  # far below what matplotlib's axes overflow with [m]
+
 
 def _widened(limits, span):
 	"""The limits, or `span` around their middle if that is wider."""
@@ -463,6 +465,8 @@ def historyPlot(path, time, histories, title=None, timeRange=None, width=12.0, d
 		raise ValueError(f"styles has {', '.join(map(repr, unknown))}; allowed are the histories {', '.join(map(repr, arrays))}")
 	shown = slice(None) if timeRange is None else (time >= timeRange[0]) & (time <= timeRange[1])
 	largest = max(np.nanmax(np.abs(values[shown]), initial=0.0) for values in arrays.values())
+	if not largest < _largestDrawn:
+		raise ValueError(f"histories reach {largest:g} m; allowed are displacements below {_largestDrawn:g} m, and NaN where there is none")
 	unit, factor = ("mm", 1e3) if largest < 0.1 else ("m", 1.0)
 	figure = Figure(figsize=(width, 0.36 * width), dpi=dpi, layout="constrained")
 	FigureCanvasAgg(figure)

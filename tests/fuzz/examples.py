@@ -24,14 +24,16 @@ class Finding(Exception):
 # What a message must not be: nothing but names, or words of Python, NumPy and C++ that do not say what of the input is wrong.
 _namesOnly = re.compile(r'[\w:<>,*& ]*(::|bad_alloc|exception|error_already_set)[\w:<>,*& ]*')
 _words = re.compile(
-        r"could not convert string to float|cannot convert float|invalid literal for int|math domain error|math range error|Result too large|setting an array element|could not be broadcast|object is not "
-        r"(iterable|subscriptable|callable)|unsupported operand|not supported between|must be real number|bad operand type|to unpack|index out of range|has no attribute|by zero|object cannot be interpreted|_M_range_check|"
-        r"map::at|basic_string|unidentifiable C\+\+|must be a string|expected string|can't multiply|unhashable|must be str|inhomogeneous|must contain|is not a valid value for|Singular matrix|not in list|"
-        r"truth value of an array|has no len|unexpected keyword|missing \d+ required"
+        r"could not convert string to float|cannot convert float|invalid literal for int|math domain error|math range error|Result too large|"
+        r"setting an array element|could not be broadcast|object is not (iterable|subscriptable|callable)|unsupported operand|not supported between|"
+        r"must be real number|bad operand type|to unpack|index out of range|has no attribute|by zero|object cannot be interpreted|_M_range_check|"
+        r"map::at|basic_string|unidentifiable C\+\+|must be a string|expected string|can't multiply|unhashable|must be str|inhomogeneous|must contain|"
+        r"is not a valid value for|Singular matrix|not in list|truth value of an array|has no len"
 )
 #: YADE's own, for a value of a type that it cannot convert.
 _ofConversion = ('did not match C++ signature', 'No registered converter', 'too large to convert to C long', 'value too large', 'bad numeric conversion')
-_vague = (AttributeError, IndexError, KeyError, ZeroDivisionError, AssertionError, OverflowError, RecursionError, MemoryError, SystemError, UnicodeError, NameError)
+_vague = (AttributeError, IndexError, KeyError, ZeroDivisionError, AssertionError, OverflowError, RecursionError, MemoryError, SystemError, UnicodeError,
+        NameError)
 
 
 def isReadable(error):
@@ -127,12 +129,14 @@ def tryMaterial(example):
 # Scenes
 
 _makers = {
-        'ForceResetter': ForceResetter, 'BrickTimeStepper': BrickTimeStepper, 'BrickDynamics': BrickDynamics, 'NewtonIntegrator': lambda: NewtonIntegrator(gravity=(0, 0, -9.8), damping=0),
+        'ForceResetter': ForceResetter, 'BrickTimeStepper': BrickTimeStepper, 'BrickDynamics': BrickDynamics,
+        'NewtonIntegrator': lambda: NewtonIntegrator(gravity=(0, 0, -9.8), damping=0),
         'GroundMotion': lambda: GroundMotion(dt=.01, acceleration=[Vector3(0, 0, 0), Vector3(3, 1, 0), Vector3(0, 0, 0)])
 }
 
 
-def setUsualEngines(names=('ForceResetter', 'InsertionSortCollider', 'InteractionLoop', 'BrickTimeStepper', 'BrickDynamics', 'NewtonIntegrator'), without=(), verletDist=0.):
+def setUsualEngines(names=('ForceResetter', 'InsertionSortCollider', 'InteractionLoop', 'BrickTimeStepper', 'BrickDynamics', 'NewtonIntegrator'),
+        without=(), verletDist=0.):
 
 	def made(*functors):
 		return [functor() for functor in functors if functor.__name__ not in without]
@@ -141,7 +145,8 @@ def setUsualEngines(names=('ForceResetter', 'InsertionSortCollider', 'Interactio
 	for name in names:
 		if name == 'InsertionSortCollider': engines.append(InsertionSortCollider(made(Bo1_Brick_Aabb, Bo1_Wall_Aabb, Bo1_Box_Aabb), verletDist=verletDist))
 		elif name == 'InteractionLoop':
-			engines.append(InteractionLoop(made(Ig2_Brick_Brick_BrickGeom, Ig2_Wall_Brick_BrickGeom, Ig2_Box_Brick_BrickGeom), made(Ip2_BrickMat_BrickMat_BrickPhys, Ip2_FrictMat_BrickMat_BrickPhys),
+			engines.append(InteractionLoop(made(Ig2_Brick_Brick_BrickGeom, Ig2_Wall_Brick_BrickGeom, Ig2_Box_Brick_BrickGeom),
+			        made(Ip2_BrickMat_BrickMat_BrickPhys, Ip2_FrictMat_BrickMat_BrickPhys),
 			                               made(Law2_BrickGeom_BrickPhys_Mortar)))
 		else: engines.append(_makers[name]())
 	O.engines = engines
@@ -206,8 +211,10 @@ def makeScene(example):
 			place = place + Vector3(*move)
 		turn = Quaternion(*given.get('turn', [1, 0, 0, 0]))
 		body = attempt(
-		        build.brick, size, center=place, orientation=turn.normalized() if turn.norm() > 1e-3 else None, material=materials[given.get('material', 0)], deformation=given.get('level', 'trilinear'),
-		        element=given.get('element', 'full'), inner=given.get('inner', 'inset'), segments=given.get('segments', 4), cells=given.get('cells') if given.get('level') == 'refined' else None,
+		        build.brick, size, center=place, orientation=turn.normalized() if turn.norm() > 1e-3 else None, material=materials[given.get('material', 0)],
+		        deformation=given.get('level', 'trilinear'),
+		        element=given.get('element', 'full'), inner=given.get('inner', 'inset'), segments=given.get('segments', 4),
+		        cells=given.get('cells') if given.get('level') == 'refined' else None,
 		        contactThickness=given.get('thickness'), fixed=given.get('fixed', False)
 		)
 		if refused(body): continue
@@ -242,7 +249,8 @@ def assign(target, place, name, value):
 	else:
 		body = pick(bricks(), place)
 		thing = body
-		if body is not None and target != 'body': thing = {'state': body.state, 'shape': body.shape, 'material': body.material}.get(target, getattr(body.material, 'mortar', None))
+		if body is not None and target != 'body': thing = {'state': body.state, 'shape': body.shape, 'material': body.material}.get(target,
+		        getattr(body.material, 'mortar', None))
 	if thing is None: return
 	if target == 'body' and name == 'material': value = materialNamed(value, O.materials[0])
 	if name == 'ori': value = Quaternion(*value)
@@ -336,10 +344,14 @@ def drawn():
 
 
 actions = {
-        'step': steps, 'run': lambda count: O.run(count, True), 'joints': lambda given: MortarJoints(**{k: vector(v) if k == 'normal' else v for k, v in given.items()})(),
-        'equilibrium': lambda given: StaticEquilibrium(**{k: vector(v) for k, v in given.items()})(), 'set': lambda change: assign(*change), 'saved': savedAndLoaded, 'erase': erase, 'unjoin': unjoin, 'again': addAgain, 'motion': addMotion,
-        'force': addForce, 'assembled': assembled, 'frequencies': frequencies, 'rest': rest, 'record': record, 'picture': drawn, 'bill': withBill, 'limit': lambda: yade_brick.bill.stepLimit(), 'stresses': stresses,
-        'clear': lambda: O.interactions.clear(), 'solve': solve, 'progress': lambda: runWithProgress(duration=3 * O.dt, stream=open(os.devnull, 'w')), 'reset': lambda: O.resetTime()
+        'step': steps, 'run': lambda count: O.run(count, True), 'joints': lambda given: MortarJoints(**{k: vector(v) if k == 'normal' else v for k,
+        v in given.items()})(),
+        'equilibrium': lambda given: StaticEquilibrium(**{k: vector(v) for k, v in given.items()})(), 'set': lambda change: assign(*change),
+        'saved': savedAndLoaded, 'erase': erase, 'unjoin': unjoin, 'again': addAgain, 'motion': addMotion,
+        'force': addForce, 'assembled': assembled, 'frequencies': frequencies, 'rest': rest, 'record': record, 'picture': drawn, 'bill': withBill,
+        'limit': lambda: yade_brick.bill.stepLimit(), 'stresses': stresses,
+        'clear': lambda: O.interactions.clear(), 'solve': solve, 'progress': lambda: runWithProgress(duration=3 * O.dt, stream=open(os.devnull, 'w')),
+        'reset': lambda: O.resetTime()
 }
 _stepping = ('step', 'run', 'bill', 'progress')
 given = False  # whether something was set since the last step: what is read then is what was given
@@ -440,8 +452,8 @@ def trySaved(example):
 # What YADE reads through this plugin: attributes of bricks, their materials, joints and contacts, by their names in the XML.
 _ours = rb'corners|amplitudes|rates|displacement|displacementRate|mortar'
 _ourAttributes = (
-        b'deformation|cells|element|inner|contactThickness|segments|whole|joints|young|poisson|density|frictionAngle|hn|hs|dampingRatio|deepest|contactPart|safety|limit|limitingBrick|damping|'
-        b'acceleration|mass|axis|sense|tensionFailures'
+        b'deformation|cells|element|inner|contactThickness|segments|whole|joints|young|poisson|density|frictionAngle|hn|hs|dampingRatio|deepest|contactPart|'
+        b'safety|limit|limitingBrick|damping|acceleration|mass|sense|tensionFailures'
 )
 _xmlParts = re.compile(rb'<(%s)[ >].*?</\1>|<(%s)>[^<]*</\2>' % (_ours, _ourAttributes), re.S)
 
@@ -477,7 +489,8 @@ def tryCall(example):
 	if name in ('brick', 'straightJointWall', 'englishBondWall'):
 		if given.get('material') == 'good' or 'material' not in given: given['material'] = BrickMat()
 		if isinstance(given.get('corners'), list): given['corners'] = vectors(given['corners'])
-		if isinstance(given.get('orientation'), list) and len(given['orientation']) == 4 and all(isinstance(v, (int, float)) for v in given['orientation']): given['orientation'] = Quaternion(*given['orientation'])
+		if isinstance(given.get('orientation'), list) and len(given['orientation']) == 4 and all(isinstance(v, (int,
+		        float)) for v in given['orientation']): given['orientation'] = Quaternion(*given['orientation'])
 		if name == 'brick': given = {'size': None if 'corners' in given else (.2, .2, .2), **given}
 		made = attempt(getattr(build, name), **given)
 		if refused(made): return 'refused'
@@ -505,8 +518,10 @@ def tryCall(example):
 		return 'refused' if refused(made) else 'finite'
 	usualScene()
 	call = {
-	        'frequencies': lambda: mustBeFinite('frequencies', assembled().frequencies(**given)), 'solve': lambda: mustBeFinite('solve', assembled().solve(**given)), 'place': lambda: assembled().place(**given),
-	        'runWithProgress': lambda: runWithProgress(**limited(given), stream=open(os.devnull, 'w')), 'isAtRest': lambda: isAtRest(**given), 'patches': lambda: patches(O.bodies, **given),
+	        'frequencies': lambda: mustBeFinite('frequencies', assembled().frequencies(**given)),
+	        'solve': lambda: mustBeFinite('solve', assembled().solve(**given)), 'place': lambda: assembled().place(**given),
+	        'runWithProgress': lambda: runWithProgress(**limited(given), stream=open(os.devnull, 'w')), 'isAtRest': lambda: isAtRest(**given),
+	        'patches': lambda: patches(O.bodies, **given),
 	        'wallPicture': lambda: wallPicture(picturePath, **{'bricks': patches(O.bodies), 'width': 3, 'dpi': 40, **given})
 	}[name]
 	return 'refused' if refused(attempt(call)) else 'finite'

@@ -38,7 +38,8 @@ class Child:
 		readHere, writeThere = os.pipe()
 		readThere, writeHere = os.pipe()
 		self.log = tempfile.TemporaryFile()
-		command = ["sh", "-c", f'ulimit -v {memory >> 10}; ulimit -c 0; exec "$@"', "sh", self.yade, "-n", "-x", "-j1", str(inputs.fuzzFolder / "examples.py"), str(readThere), str(writeThere)]
+		command = ["sh", "-c", f'ulimit -v {memory >> 10}; ulimit -c 0; exec "$@"', "sh", self.yade, "-n", "-x", "-j1", str(inputs.fuzzFolder / "examples.py"),
+		        str(readThere), str(writeThere)]
 		self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=self.log, stderr=self.log, pass_fds=(readThere, writeThere))
 		os.close(readThere)
 		os.close(writeThere)

@@ -133,6 +133,11 @@ class Shape(Refused):
 			self.refused(['%g' % young, '%g' % density, 'omega^2'], O.step)
 		self.refused(['1e+308', 'overflow'], Brick.stiffness, corners(Vector3(100, 100, 100)), 1e308, .25)
 
+	def test_corners_cannot_be_taken_away(self):
+		collapse.build(1, 1)
+		self.refused(['corners', 'none given'], setattr, O.bodies[1].shape, 'corners', [])
+		O.step()
+
 	def test_corners_without_state(self):
 		self.refused(['state', 'None'], Brick(corners=corners(), contactThickness=.005).worldCorners, None)
 
@@ -254,7 +259,8 @@ class Joints(Refused):
 
 	def test_equilibrium_of_what_is_not_finite(self):
 		for change, parts in (
-		        (lambda: setattr(O.bodies[2].state, 'mass', nan), ['#2', 'mass nan']), (lambda: setattr(O.bodies[2].state, 'pos', Vector3(0, math.inf, 0)), ['#2', 'place']),
+		        (lambda: setattr(O.bodies[2].state, 'mass', nan), ['#2', 'mass nan']),
+		        (lambda: setattr(O.bodies[2].state, 'pos', Vector3(0, math.inf, 0)), ['#2', 'place']),
 		        (lambda: O.forces.setPermF(3, Vector3(nan, 0, 0)), ['#3', 'force'])
 		):
 			collapse.build(2, 2)
