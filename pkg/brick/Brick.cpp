@@ -101,7 +101,14 @@ namespace {
 			key.insert(key.end(), c.data(), c.data() + 3);
 		auto& entry = inUse[key];
 		auto  found = entry.lock();
-		if (!found) entry = found = shared_ptr<const brick::InnerPart>(new brick::InnerPart(type));
+		if (found) return found;
+		try {
+			found = shared_ptr<const brick::InnerPart>(new brick::InnerPart(type));
+		} catch (const std::invalid_argument& problem) {
+			throw std::invalid_argument(brick::message(
+			        "Brick with young = ", type.young, " Pa, poisson = ", type.poisson, ", density = ", type.density, " kg/m3: ", problem.what()));
+		}
+		entry = found;
 		return found;
 	}
 
@@ -116,6 +123,42 @@ namespace {
 		auto  found = entry.lock();
 		if (!found) entry = found = shared_ptr<const brick::Hexahedron>(new brick::Hexahedron(corners));
 		return found;
+	}
+
+	template <class Values> bool allZero(const Values& values)
+	{
+		return std::all_of(values.begin(), values.end(), [](const auto& value) { return value == 0 * value; });
+	}
+
+	/// Refuses a deformation that is not finite, as a file may hold. One that is of other modes or nodes than the brick's is refused too, or dropped where
+	/// it is zero: of a brick that was loaded, the inner part that it was made with is not known before its first step.
+	void checkDeformation(Brick& b, brick::Deformation as, int cells)
+	{
+		const auto allFinite = [](const std::vector<Vector3r>& vectors) {
+			return std::all_of(vectors.begin(), vectors.end(), [](const Vector3r& v) { return v.allFinite(); });
+		};
+		const auto allNumbers = [](const std::vector<Real>& values) { return std::all_of(values.begin(), values.end(), [](Real x) { return std::isfinite(x); }); };
+		if (!allNumbers(b.amplitudes) || !allNumbers(b.rates) || !allFinite(b.displacement) || !allFinite(b.displacementRate))
+			throw std::invalid_argument("Brick: amplitudes, rates, displacement and displacementRate must be finite; one of their values is not");
+		const bool        rigid = as == brick::Deformation::Rigid;
+		const std::size_t nodes = rigid ? 0 : brick::surfaceGrid(cells).size();
+		const std::size_t modes = rigid ? 0 : as == brick::Deformation::Uniform ? 6 : 3 * nodes - 6;
+		const auto        fits  = [](const auto& values, std::size_t count) { return values.empty() || values.size() == count; };
+		if (fits(b.amplitudes, modes) && b.rates.size() == b.amplitudes.size() && fits(b.displacement, nodes) && fits(b.displacementRate, nodes)) return;
+		if (!allZero(b.amplitudes) || !allZero(b.rates) || !allZero(b.displacement))
+			throw std::invalid_argument(brick::message(
+			        "Brick: a brick that is deformed cannot change its level of deformation or its cells: it has ",
+			        b.amplitudes.size(),
+			        " amplitudes and ",
+			        b.displacement.size(),
+			        " nodes, where ",
+			        nameOf(as, deformations),
+			        " has ",
+			        modes,
+			        " and ",
+			        nodes,
+			        "; make a new one"));
+		b.amplitudes.clear(), b.rates.clear(), b.displacement.clear(), b.displacementRate.clear();
 	}
 
 	/// Room for the numbers of a brick's modes or nodes, a thread's own.
@@ -164,7 +207,9 @@ void Brick::postLoad(Brick&)
 		solid = shape;
 		for (int f = 0; f < brick::faceCount; ++f)
 			contactLength[f] = found.deformation == brick::Deformation::Rigid ? solid->distance(f) : contactThickness;
-	}
+	} else if (solid)
+		throw std::invalid_argument("Brick.corners: none given; a brick that has corners can only be given eight others");
+	checkDeformation(*this, found.deformation, found.cells);
 	checked = found;
 	counted = false;
 	// joints and contacts of the first step, before the material is known, must find a deformable brick
@@ -355,7 +400,10 @@ boost::python::dict Brick::solidProperties(const std::vector<Vector3r>& given)
 
 Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> Brick::stiffness(const std::vector<Vector3r>& nodes, Real young, Real poisson, const string& element)
 {
-	return brick::stiffness(nodesOf(nodes), young, poisson, fromName("element", element, elements));
+	const auto K = brick::stiffness(nodesOf(nodes), young, poisson, fromName("element", element, elements));
+	if (!K.allFinite())
+		throw std::invalid_argument(brick::message("Brick.stiffness: young = ", young, " Pa is too large for this hexahedron: entries of the matrix overflow"));
+	return K;
 }
 
 void Bo1_Brick_Aabb::go(const shared_ptr<Shape>& shape, shared_ptr<Bound>& bound, const Se3r& se3, const Body* body)

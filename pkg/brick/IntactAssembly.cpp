@@ -18,7 +18,12 @@ namespace {
 	{
 		const auto* material = dynamic_cast<const BrickMat*>(b.material.get());
 		if (!material || !shape.solid) throw std::invalid_argument(brick::message("brick #", b.getId(), " needs corners and a BrickMat"));
-		const State&          s = *b.state;
+		const State& s = *b.state;
+		if (!s.pos.allFinite() || !s.ori.coeffs().allFinite())
+			throw std::invalid_argument(brick::message("brick #", b.getId(), " is at a place or in an orientation that is not finite"));
+		if (b.isDynamic() && !(s.mass > 0 && std::isfinite(s.mass) && s.inertia.minCoeff() > 0 && s.inertia.allFinite()))
+			throw std::invalid_argument(brick::message(
+			        "brick #", b.getId(), " has the mass ", s.mass, " kg and the inertia (", s.inertia.transpose(), ") kg m2; they must be finite and above 0"));
 		brick::AssembledBrick part;
 		part.position    = s.pos;
 		part.orientation = s.ori;
@@ -81,7 +86,10 @@ namespace {
 		if (out.bricks[0] >= 0) return out;
 		const Body&     support = *Body::byId(id[0], &scene);
 		const Vector3r& at      = Body::byId(id[1], &scene)->state->pos;
-		if (const Wall* wall = dynamic_cast<const Wall*>(support.shape.get())) out.support = sideOfWall(*wall, *support.state, at).placement;
+		const Wall*     wall = dynamic_cast<const Wall*>(support.shape.get());
+		if (wall && !(wall->axis >= 0 && wall->axis <= 2))
+			throw std::invalid_argument(brick::message("wall #", id[0], " has the axis ", wall->axis, "; allowed are 0, 1 and 2"));
+		if (wall) out.support = sideOfWall(*wall, *support.state, at).placement;
 		else {
 			out.support.position = support.state->pos;
 			out.support.rotation = support.state->ori.toRotationMatrix();

@@ -5,7 +5,10 @@
 
 #include "kernel/Message.hpp"
 
+#include <boost/python/object.hpp>
+
 #include <algorithm>
+#include <set>
 
 namespace yade {
 
@@ -70,7 +73,7 @@ namespace {
 		Real                        bestArea = 0;
 		for (int f0 = 0; f0 < brick::faceCount; ++f0) {
 			const Vector3r normal = side0.placement.rotation * side0.solid->faces[f0].normal;
-			if (direction != Vector3r::Zero() && std::abs(normal.dot(direction.normalized())) < std::sqrt(.5)) continue;
+			if (direction != Vector3r::Zero() && std::abs(normal.dot(direction.stableNormalized())) < std::sqrt(.5)) continue;
 			for (int f1 = 0; f1 < brick::faceCount; ++f1) {
 				auto joint = brick::joinFaces(side0, f0, side1, f1, tolerance);
 				if (!joint) continue;
@@ -127,18 +130,69 @@ namespace {
 
 	bool canBeJoined(const Body& b)
 	{
-		if (const Brick* shape = brickOf(b)) {
-			if (!shape->solid) throw std::invalid_argument("MortarJoints: brick " + named(b) + " has no corners");
-			return true;
-		}
-		return dynamic_cast<const Wall*>(b.shape.get()) || dynamic_cast<const Box*>(b.shape.get());
+		const Brick* shape = brickOf(b);
+		const Wall*  wall  = dynamic_cast<const Wall*>(b.shape.get());
+		const Box*   box   = dynamic_cast<const Box*>(b.shape.get());
+		if (!shape && !wall && !box) return false;
+		const auto refuse = [&b](const string& problem) { throw std::invalid_argument("MortarJoints: " + b.shape->getClassName() + " " + named(b) + " " + problem); };
+		if (shape && !shape->solid) refuse("has no corners");
+		if (wall && !(wall->axis >= 0 && wall->axis <= 2)) refuse("has the axis " + std::to_string(wall->axis) + "; allowed are 0, 1 and 2");
+		if (box && !(box->extents.allFinite() && box->extents.minCoeff() > 0))
+			refuse(brick::message("has the extents (", box->extents.transpose(), ") m; each must be finite and above 0"));
+		if (!b.state->pos.allFinite() || !b.state->ori.coeffs().allFinite()) refuse("is at a place or in an orientation that is not finite");
+		return true;
 	}
 
 } // namespace
 
+/// Joints are real before YADE's parallel loop has met them, where a functor that is missing would end the process.
+class MortarJoints::FunctorsNeeded {
+public:
+	explicit FunctorsNeeded(Scene& scene)
+	        : loop(scene.engineByName("InteractionLoop"))
+	{
+	}
+
+	/// @throws std::invalid_argument naming what the InteractionLoop lacks for a pair of bodies that is to be joined; without a loop, nothing is known
+	void check(const Body& first, const Body& second)
+	{
+		if (!loop || !known.insert({ first.shape->getClassName(), first.material->getClassName() }).second) return;
+		const bool bricks = brickOf(first), ofBrick = asBrickMat(first.material);
+		string     missing;
+		if (!has("geomDispatcher", first.shape, second.shape)) missing = "Ig2_" + string(bricks ? "Brick" : first.shape->getClassName()) + "_Brick_BrickGeom";
+		else if (!has("physDispatcher", first.material, second.material))
+			missing = ofBrick ? "Ip2_BrickMat_BrickMat_BrickPhys" : "Ip2_FrictMat_BrickMat_BrickPhys";
+		else if (!has("lawDispatcher", shared_ptr<IGeom>(new BrickGeom), shared_ptr<IPhys>(new BrickPhys)))
+			missing = "Law2_BrickGeom_BrickPhys_Mortar";
+		if (missing.empty()) return;
+		throw std::invalid_argument(
+		        "MortarJoints: bodies " + named(first) + " and " + named(second) + " are to be joined, but the InteractionLoop in O.engines has no " + missing
+		        + ", which the first step needs");
+	}
+
+private:
+	/// The dispatchers' classes are the host's: they are asked as Python does.
+	template <class A, class B> bool has(const char* dispatcher, const A& a, const B& b) const
+	{
+		const PyGILState_STATE state = PyGILState_Ensure();
+		bool                   found = false;
+		try {
+			found = !boost::python::object(loop).attr(dispatcher).attr("dispFunctor")(a, b).is_none();
+		} catch (const boost::python::error_already_set&) { // ambiguous
+			PyErr_Clear();
+		}
+		PyGILState_Release(state);
+		return found;
+	}
+
+	shared_ptr<Engine>                  loop;
+	std::set<std::pair<string, string>> known; // shape and material of the first body
+};
+
 void MortarJoints::postLoad(MortarJoints&)
 {
-	if (tolerance < 0) throw std::invalid_argument("MortarJoints.tolerance: " + std::to_string(tolerance) + " m; must be >= 0, or NaN for the default");
+	if (tolerance < 0 || std::isinf(tolerance))
+		throw std::invalid_argument("MortarJoints.tolerance: " + std::to_string(tolerance) + " m; must be finite and >= 0, or NaN for the default");
 	if (!normal.allFinite()) throw std::invalid_argument(brick::message("MortarJoints.normal: (", normal.transpose(), "); must be finite"));
 }
 
@@ -149,7 +203,7 @@ Real MortarJoints::gapOf(const Body& b) const
 	return brickOf(b) ? relativeTolerance * diagonal(*brickOf(b)) : 0;
 }
 
-void MortarJoints::join(const shared_ptr<Body>& a, const shared_ptr<Body>& b)
+void MortarJoints::join(const shared_ptr<Body>& a, const shared_ptr<Body>& b, FunctorsNeeded& functors)
 {
 	if (areJoined(a->getId(), b->getId())) return;
 	// canonical order: the support, or the lower id, first
@@ -168,6 +222,10 @@ void MortarJoints::join(const shared_ptr<Body>& a, const shared_ptr<Body>& b)
 	checkStrengths(*filling);
 	checkThickness(*filling, first, side0, faces[0]);
 	checkThickness(*filling, second, side1, faces[1]);
+
+	if (!dynamic_cast<const FrictMat*>(first.material.get()))
+		throw std::invalid_argument("MortarJoints: support " + named(first) + " needs a FrictMat or BrickMat, since its friction counts once the joint has failed");
+	functors.check(first, second);
 
 	shared_ptr<BrickPhys> phys(new BrickPhys);
 	brick::PairSprings    pair = pairSprings(*first.material, side0.support, brickMaterial(second));
@@ -261,8 +319,9 @@ void MortarJoints::action()
 	std::sort(near.begin(), near.end(), [](const auto& x, const auto& y) {
 		return std::minmax(x.first->getId(), x.second->getId()) < std::minmax(y.first->getId(), y.second->getId());
 	});
+	FunctorsNeeded functors(*scene);
 	for (const auto& [a, b] : near)
-		join(a, b);
+		join(a, b, functors);
 	for (const auto& [a, b] : near)
 		noteBeside(a, b);
 	dead = true;

@@ -30,8 +30,10 @@ The mortar is the materials' (:yref:`BrickMat.mortar`), or the one given here fo
 private:
 	std::multimap<long, std::shared_ptr<brick::JointShape>> shapes; // of joints laid in this call, by size
 
+	class FunctorsNeeded;
+
 	void shareShape(brick::Joint&, const brick::Side&, const brick::Side&);
-	void join(const shared_ptr<Body>&, const shared_ptr<Body>&);
+	void join(const shared_ptr<Body>&, const shared_ptr<Body>&, FunctorsNeeded&);
 	void noteBeside(const shared_ptr<Body>&, const shared_ptr<Body>&) const;
 	bool areJoined(Body::id_t, Body::id_t) const;
 	Real gapOf(const Body&) const;

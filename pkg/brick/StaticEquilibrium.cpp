@@ -16,7 +16,7 @@ void StaticEquilibrium::postLoad(StaticEquilibrium&)
 {
 	if (!(tolerance > 0 && tolerance < 1)) throw std::invalid_argument(brick::message("StaticEquilibrium.tolerance: ", tolerance, "; must be in (0, 1)"));
 	if (mostIterations < 1) throw std::invalid_argument(brick::message("StaticEquilibrium.mostIterations: ", mostIterations, "; must be > 0"));
-	if (gravity.array().isInf().any())
+	if (!gravity.allFinite() && !gravity.array().isNaN().all())
 		throw std::invalid_argument(brick::message("StaticEquilibrium.gravity: (", gravity.transpose(), "); must be finite"));
 }
 
@@ -33,12 +33,15 @@ brick::VectorX StaticEquilibrium::loads(const SceneAssembly& assembly) const
 	brick::VectorX out = brick::VectorX::Zero(assembly.structure.size());
 	for (std::size_t i = 0; i < assembly.ids.size(); ++i)
 		out.segment<3>(assembly.structure.place(int(i))) = assembly.structure.bricks()[i].mass * g;
-	if (!scene->forces.getPermForceUsed()) return out;
-	scene->forces.sync(); // sizes the arrays of forces given since the last step
+	if (scene->forces.getPermForceUsed()) scene->forces.sync(); // sizes the arrays of forces given since the last step
 	for (std::size_t i = 0; i < assembly.ids.size(); ++i) {
 		const int at = assembly.structure.place(int(i));
-		out.segment<3>(at) += scene->forces.getPermForce(assembly.ids[i]);
-		out.segment<3>(at + 3) += scene->forces.getPermTorque(assembly.ids[i]);
+		if (scene->forces.getPermForceUsed()) {
+			out.segment<3>(at) += scene->forces.getPermForce(assembly.ids[i]);
+			out.segment<3>(at + 3) += scene->forces.getPermTorque(assembly.ids[i]);
+		}
+		if (!out.segment<6>(at).allFinite())
+			throw std::invalid_argument(brick::message("StaticEquilibrium: weight and permanent force of brick #", assembly.ids[i], " are not finite"));
 	}
 	return out;
 }

@@ -2,6 +2,7 @@
 # The jointed bricks of a scene as SciPy matrices: statics under any load, natural frequencies. The matrices come from the library.
 """Intact assemblies of bricks as linear systems: `assembled`."""
 
+import numbers
 from dataclasses import dataclass
 
 import numpy as np
@@ -52,12 +53,17 @@ class Assembly:
 	def solve(self, loads):
 		"""Displacement (n,) under generalised loads (n,); zero where held.
 
-		:raises ValueError: for loads of another shape
+		:raises ValueError: for loads of another shape or not finite
 		"""
 		from scipy.sparse.linalg import splu
-		loads = np.asarray(loads, dtype=float)
+		try:
+			loads = np.asarray(loads, dtype=float)
+		except (TypeError, ValueError):
+			raise ValueError(f"loads are {loads!r}; allowed are {self.stiffness.shape[0]} finite numbers") from None
 		if loads.shape != (self.stiffness.shape[0],):
 			raise ValueError(f"loads have the shape {loads.shape}; allowed is ({self.stiffness.shape[0]},)")
+		if not np.isfinite(loads).all():
+			raise ValueError(f"load {np.flatnonzero(~np.isfinite(loads))[0]} is not finite; allowed are finite numbers")
 		displacement, stiffness, free = np.zeros(len(loads)), self._freePart(self.stiffness), loads[self.free]
 		factor = splu(stiffness)
 		found = factor.solve(free)
@@ -72,8 +78,8 @@ class Assembly:
 		"""
 		from scipy.linalg import eigh
 		from scipy.sparse.linalg import eigsh
-		if not 0 < count < len(self.free):
-			raise ValueError(f"count is {count}; allowed are 1 to {len(self.free) - 1}")
+		if not isinstance(count, numbers.Integral) or not 0 < count < len(self.free):
+			raise ValueError(f"count is {count!r}; allowed are 1 to {len(self.free) - 1}")
 		stiffness, mass = self._freePart(self.stiffness), self._freePart(self.mass)
 		if self._isSmall():
 			values = eigh(stiffness.toarray(), mass.toarray(), eigvals_only=True)[:count]

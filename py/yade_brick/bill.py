@@ -198,7 +198,7 @@ def stepLimit(scene=None):
 	"""What limits the time step.
 
 	:returns: None when there is no BrickTimeStepper or it has not worked yet; else dict of step, the bound before BrickTimeStepper.safety [s]; brick,
-		the id of the brick that sets it; level, how it deforms; face, the one of its faces, '-x' to '+z' in its own axes, whose springs hold most of
+		the id of the brick that sets it; level, how it deforms, or 'erased'; face, the one of its faces, '-x' to '+z' in its own axes, whose springs hold most of
 		the motion that limits (None when not known); partners, the bodies that touch it there, as texts. Without partners the springs
 		are those that a brick of its own kind would give.
 	"""
@@ -210,6 +210,8 @@ def stepLimit(scene=None):
 	face = stepper.limitingFace
 	name = list(_faceCorners)[face] if face >= 0 else None
 	body = scene.bodies[stepper.limitingBrick]
+	if body is None:
+		return {"step": stepper.limit, "brick": stepper.limitingBrick, "level": "erased", "face": name, "partners": []}
 	partners = _partners(scene, body, name) if name else []
 	return {"step": stepper.limit, "brick": body.id, "level": _level(body.shape), "face": name, "partners": partners}
 

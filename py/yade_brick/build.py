@@ -5,6 +5,7 @@
 
 import functools
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 #: Colours (red, green, blue) of bricks and of fixed bricks.
@@ -71,7 +72,10 @@ def _place(body, solid, density, center, orientation):
 
 def _material(material):
 	from yade import BrickMat, O
-	found = O.materials[material] if isinstance(material, (int, str)) else material
+	try:
+		found = O.materials[material] if isinstance(material, (int, str)) else material
+	except (IndexError, KeyError, OverflowError):
+		raise ValueError(f"material is {material!r}; O.materials has no such id or label") from None
 	if not isinstance(found, BrickMat):
 		raise ValueError(f"material is {material!r}; allowed is a BrickMat, or the id or label of one")
 	if not (math.isfinite(found.density) and found.density > 0):
@@ -92,13 +96,23 @@ def _cuboidProperties(lengths):
 
 
 def _lengths(size):
-	size = tuple(float(length) for length in size)
-	if len(size) != 3 or not all(math.isfinite(length) and length > 0 for length in size):
-		raise ValueError(f"size is {size}; allowed are three finite lengths > 0 m")
-	return size
+	lengths = _numbers(size)
+	if len(lengths) != 3 or not all(math.isfinite(length) and length > 0 for length in lengths):
+		raise ValueError(f"size is {size!r}; allowed are three finite lengths > 0 m")
+	return lengths
+
+
+def _numbers(values):
+	"""Any sequence of numbers as a tuple of floats; empty for anything else."""
+	try:
+		return tuple(float(value) for value in values) if not isinstance(values, (str, dict)) else ()
+	except (TypeError, ValueError, OverflowError):
+		return ()
 
 
 def _points(corners):
+	if not isinstance(corners, Sequence):
+		raise ValueError(f"corners is {corners!r}; allowed are eight points")
 	corners = [_vector(corner, "corner") for corner in corners]
 	if len(corners) != 8:
 		raise ValueError(f"{len(corners)} corners given; a brick has 8")
@@ -107,16 +121,18 @@ def _points(corners):
 
 def _vector(values, name):
 	from yade import Vector3
-	values = tuple(values)
-	if len(values) != 3 or not all(math.isfinite(value) for value in values):
-		raise ValueError(f"{name} is {values}; allowed are three finite numbers")
-	return Vector3(*values)
+	numbers = _numbers(values)
+	if len(numbers) != 3 or not all(math.isfinite(number) for number in numbers):
+		raise ValueError(f"{name} is {values!r}; allowed are three finite numbers")
+	return Vector3(*numbers)
 
 
 def _unitQuaternion(orientation):
 	from yade import Quaternion
 	if orientation is None:
 		return Quaternion.Identity
+	if not isinstance(orientation, Quaternion):
+		raise ValueError(f"orientation is {orientation!r}; allowed is a unit Quaternion")
 	length = orientation.norm()
 	if not abs(length - 1) < 1e-6:
 		raise ValueError(f"orientation has the length {length}; allowed is a unit quaternion")
@@ -164,7 +180,8 @@ def straightJointWall(columns=6, courses=6, size=(0.2, 0.2, 0.2), origin=(0, 0, 
 	:returns: Masonry
 	:raises ValueError: naming the argument, its value and what is allowed
 	"""
-	return _masonry([[size[0]] * _count(columns, "columns")] * _count(courses, "courses"), _lengths(size), origin, brickOptions)
+	lengths = _lengths(size)
+	return _masonry([[lengths[0]] * _count(columns, "columns")] * _count(courses, "courses"), lengths, origin, brickOptions)
 
 
 def englishBondWall(columns=6, courses=6, size=(0.2, 0.2, 0.2), origin=(0, 0, 0), halfBricksFirst=False, **brickOptions):

@@ -5,8 +5,10 @@
 """Ground motions: reading, combining, making and writing accelerograms. SI units inside, whatever the file holds."""
 
 import math
+import numbers
 import os
 import re
+import sys
 from dataclasses import dataclass
 
 import numpy as np
@@ -42,15 +44,18 @@ class Motion:
 
 	def __post_init__(self):
 		_checkInterval(self.dt, "dt")
-		values = np.array(self.acceleration, dtype=float)
+		try:
+			values = np.array(self.acceleration, dtype=float)
+		except (TypeError, ValueError, OverflowError):
+			raise ValueError(f"acceleration is {self.acceleration!r}; allowed are n rows of three numbers") from None
 		if values.ndim != 2 or values.shape[1] != 3 or values.shape[0] < 2:
 			raise ValueError(f"acceleration has the shape {values.shape}; allowed is (n, 3) with n >= 2")
 		wrong = np.argwhere(~np.isfinite(values))
 		if len(wrong):
 			row, axis = wrong[0]
 			raise ValueError(f"acceleration of sample {row} along {axisNames[axis]} is {values[row, axis]}; allowed are finite numbers [m/s2]")
-		if not self.name:
-			raise ValueError("name is empty; a motion needs one")
+		if not isinstance(self.name, str) or not self.name:
+			raise ValueError(f"name is {self.name!r}; a motion needs one that is a text and not empty")
 		if self.synthetic and "synthetic" not in self.name.lower():
 			raise ValueError(f"name is {self.name!r}; the name of a synthetic motion has to contain 'synthetic'")
 		values.setflags(write=False)
@@ -83,8 +88,8 @@ class Motion:
 
 	def scaled(self, factor):
 		"""The motion with every acceleration multiplied by `factor` (finite)."""
-		if not math.isfinite(factor):
-			raise ValueError(f"factor is {factor}; allowed are finite numbers")
+		if not _isFinite(factor):
+			raise ValueError(f"factor is {factor!r}; allowed are finite numbers")
 		return Motion(self.dt, self.acceleration * factor, f"{self.name} x {factor:g}", self.synthetic)
 
 	def resampled(self, dt):
@@ -102,8 +107,16 @@ class Motion:
 		return Motion(dt, np.column_stack(columns), self.name, self.synthetic)
 
 
+def _isFinite(value):
+	return isinstance(value, numbers.Real) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
+
+
+def _areNumbers(values, count):
+	return isinstance(values, (list, tuple, np.ndarray)) and len(values) == count and all(_isFinite(value) for value in values)
+
+
 def _checkInterval(value, name):
-	if not (isinstance(value, (int, float, np.number)) and math.isfinite(value) and value > 0):
+	if not (_isFinite(value) and value > 0):
 		raise ValueError(f"{name} is {value!r}; allowed is a finite number of seconds > 0")
 
 
@@ -115,7 +128,7 @@ def _integral(values, dt):
 
 
 def _axisIndex(axis):
-	if axis not in axisNames:
+	if not isinstance(axis, str) or axis not in axisNames:
 		raise ValueError(f"axis is {axis!r}; allowed are 'x', 'y' and 'z'")
 	return axisNames.index(axis)
 
@@ -217,7 +230,7 @@ def readColumns(path, units, dt=None, axes=None, name=None):
 		of columns than in the first row, times not in equal steps, fewer than two rows
 	:raises OSError: for a file that cannot be read
 	"""
-	if units not in accelerationUnits:
+	if not isinstance(units, str) or units not in accelerationUnits:
 		raise ValueError(f"units is {units!r}; allowed are {', '.join(map(repr, accelerationUnits))}")
 	if dt is not None:
 		_checkInterval(dt, "dt")
@@ -488,18 +501,18 @@ def _syntheticComponent(times, dt, peak, pulsePeriod, pulseVelocity, phaseTimes,
 def _checkSynthetic(duration, dt, peak, pulsePeriod, pulseVelocity, phaseTimes, ratios, seed):
 	for name, value in (("duration", duration), ("dt", dt), ("pulsePeriod", pulsePeriod)):
 		_checkInterval(value, name)
-	if not (math.isfinite(peak) and peak > 0):
-		raise ValueError(f"peak is {peak}; allowed is a finite acceleration > 0 m/s2")
-	if not (math.isfinite(pulseVelocity) and pulseVelocity >= 0):
-		raise ValueError(f"pulseVelocity is {pulseVelocity}; allowed is a finite velocity >= 0 m/s")
+	if not (_isFinite(peak) and peak > 0):
+		raise ValueError(f"peak is {peak!r}; allowed is a finite acceleration > 0 m/s2")
+	if not (_isFinite(pulseVelocity) and pulseVelocity >= 0):
+		raise ValueError(f"pulseVelocity is {pulseVelocity!r}; allowed is a finite velocity >= 0 m/s")
 	if dt > 0.5 / noiseTop:
 		raise ValueError(f"dt is {dt} s; allowed is at most {0.5 / noiseTop} s, since the noise reaches to {noiseTop:g} Hz")
-	if len(phaseTimes) != 2 or not 0 < phaseTimes[0] < phaseTimes[1]:
+	if not _areNumbers(phaseTimes, 2) or not 0 < phaseTimes[0] < phaseTimes[1]:
 		raise ValueError(f"phaseTimes is {phaseTimes}; allowed are two rising times > 0 s")
 	room = phaseTimes[1] + 0.6 * pulsePeriod + _taperLength
 	if duration < room:
 		raise ValueError(f"duration is {duration} s; allowed is at least {room:g} s, which the second phase and the taper need")
-	if len(ratios) != 3 or not all(0 <= ratio <= 1 for ratio in ratios) or not any(ratios):
+	if not _areNumbers(ratios, 3) or not all(0 <= ratio <= 1 for ratio in ratios) or not any(ratios):
 		raise ValueError(f"ratios is {ratios}; allowed are three numbers in [0, 1], not all 0")
 	if not (isinstance(seed, (int, np.integer)) and 0 <= seed < 2 ** 32 - 3):
 		raise ValueError(f"seed is {seed!r}; allowed is a whole number from 0 to {2 ** 32 - 4}")

@@ -6,6 +6,8 @@
 
 import heapq
 import math
+import numbers
+import sys
 from typing import NamedTuple
 
 import numpy as np
@@ -89,11 +91,15 @@ def pictureSeries(
 	:param rowLabels: texts before the titles of the first pictures of the rows, such as the names of two models
 	:param width: of the whole [inches]; the others as in wallPicture
 	"""
-	frames = [(time, [_checkedPatch(brick, index) for index, brick in enumerate(bricks)], _checkedMarks(marks)) for time, bricks, marks in frames]
+	frames = [(_checkedNumber(time, "time", None), _checkedPatches(bricks), _checkedMarks(marks)) for time, bricks, marks in _sequence(frames, "frames")]
 	if not frames or not all(bricks for _, bricks, _ in frames):
 		raise ValueError("there is nothing to draw; at least one frame with at least one brick is needed")
-	if columns < 1:
-		raise ValueError(f"columns is {columns}; allowed is at least 1")
+	if not isinstance(columns, numbers.Integral) or columns < 1:
+		raise ValueError(f"columns is {columns!r}; allowed is a whole number, at least 1")
+	for name, value in (("width", width), ("dpi", dpi)):
+		if not (_isFinite(value) and value > 0):
+			raise ValueError(f"{name} is {value!r}; allowed is a finite number > 0")
+	ground = _checkedNumber(ground, "ground", None)
 	right, up, toward = _viewAxes(view)
 	plane = np.column_stack([right, up])
 	limits = _checkedLimits(limits) if limits is not None else _limitsAround([brick for _, bricks, _ in frames for brick in bricks], plane, ground, up)
@@ -116,22 +122,64 @@ def pictureSeries(
 # What is given
 
 
+def _isFinite(value):
+	return isinstance(value, numbers.Real) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
+
+
+def _checkedNumber(value, name, default):
+	if value is None:
+		return default
+	if not _isFinite(value):
+		raise ValueError(f"{name} is {value!r}; allowed is a finite number, or None")
+	return value
+
+
+def _sequence(values, name):
+	"""The values as a list; ValueError for what is none."""
+	try:
+		return list(values)
+	except TypeError:
+		raise ValueError(f"{name} is {values!r}; allowed is a list") from None
+
+
+def _array(values, allowed):
+	"""Nested sequences of numbers, YADE's vectors too, as an array; ValueError that says what is allowed."""
+	try:
+		return np.array([tuple(row) for row in values], dtype=float)
+	except (TypeError, ValueError, OverflowError):
+		raise ValueError(f"{values!r} given; allowed are {allowed}") from None
+
+
+def _checkedPatches(bricks):
+	return [_checkedPatch(brick, index) for index, brick in enumerate(_sequence(bricks, "bricks"))]
+
+
 def _checkedPatch(brick, index):
-	patch = Patch(*brick)
-	corners = np.array([tuple(corner) for corner in patch.corners], dtype=float)
+	parts = _sequence(brick, f"brick {index}")
+	if not 1 <= len(parts) <= 3:
+		raise ValueError(f"brick {index} is {brick!r}; allowed is a Patch, or (corners, color)")
+	corners = _array(parts[0], f"8 points of 3 finite coordinates [m] as the corners of brick {index}")
 	if corners.shape != (8, 3) or not np.isfinite(corners).all():
 		raise ValueError(f"corners of brick {index} are {corners.tolist()}; allowed are 8 points of 3 finite coordinates [m]")
-	return patch._replace(corners=corners)
+	return Patch(*parts)._replace(corners=corners)
 
 
 def _checkedMarks(marks):
 	if marks is None:
 		return Marks(np.empty((0, 3)), np.empty(0, dtype=int))
-	points = np.array([tuple(point) for point in marks[0]], dtype=float).reshape(-1, 3)
-	states = np.asarray(marks[1], dtype=int)
+	parts = _sequence(marks, "marks")
+	if len(parts) != 2:
+		raise ValueError(f"marks is {marks!r}; allowed are Marks, that is points and states")
+	points = _array(parts[0], "points of 3 coordinates as the first part of marks")
+	if points.size and (points.ndim != 2 or points.shape[1] != 3):
+		raise ValueError(f"points of marks have the shape {points.shape}; allowed is (k, 3)")
+	points = points.reshape(-1, 3)
+	states = _array([_sequence(parts[1], "states of marks")], "whole numbers as the second part of marks")[0]
 	if states.shape != (len(points),):
 		raise ValueError(f"marks have {len(points)} points and states of the shape {states.shape}; allowed is one state a point")
-	return Marks(points, states)
+	if not np.isin(states, (0, *failureModes)).all():
+		raise ValueError(f"states of marks are {states.tolist()}; allowed are 0 to {max(failureModes)}")
+	return Marks(points, states.astype(int))
 
 
 def _viewAxes(view):
@@ -140,17 +188,20 @@ def _viewAxes(view):
 		if view not in views:
 			raise ValueError(f"view is {view!r}; allowed are {', '.join(map(repr, views))} or (azimuth, height) in degrees")
 		view = views[view]
-	azimuth, height = (math.radians(angle) for angle in view)
+	angles = _sequence(view, "view")
+	if len(angles) != 2 or not all(_isFinite(angle) for angle in angles):
+		raise ValueError(f"view is {view!r}; allowed are {', '.join(map(repr, views))} or (azimuth, height) in degrees")
+	azimuth, height = (math.radians(angle) for angle in angles)
 	toward = np.array([math.cos(height) * math.cos(azimuth), math.cos(height) * math.sin(azimuth), math.sin(height)])
 	right = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
 	return right, np.cross(toward, right), toward
 
 
 def _checkedLimits(limits):
-	left, right, bottom, top = limits
-	if not (left < right and bottom < top):
-		raise ValueError(f"limits is {tuple(limits)}; allowed is (left, right, bottom, top) with left < right and bottom < top")
-	return left, right, bottom, top
+	values = _sequence(limits, "limits")
+	if len(values) != 4 or not all(_isFinite(value) for value in values) or not (values[0] < values[1] and values[2] < values[3]):
+		raise ValueError(f"limits is {limits!r}; allowed is (left, right, bottom, top), finite, with left < right and bottom < top")
+	return tuple(values)
 
 
 def _limitsAround(bricks, plane, ground, up):
@@ -254,7 +305,10 @@ def _colorScale(colors, colorRange):
 	values = [float(color) for color in colors if isinstance(color, (int, float, np.number)) and not isinstance(color, bool)]
 	if not values:
 		return None
-	low, high = colorRange or (min(values), max(values))
+	ends = (min(values), max(values)) if colorRange is None else _sequence(colorRange, "colorRange")
+	if len(ends) != 2 or not all(_isFinite(end) for end in ends):
+		raise ValueError(f"colorRange is {colorRange!r}, the colours are {values}; allowed are a lowest and a highest finite number")
+	low, high = ends
 	return ScalarMappable(Normalize(low, high if high > low else low + 1), "YlOrBr")
 
 
@@ -375,6 +429,8 @@ _lineColors = ("#1f4e79", "#c0562f", "#3d7a4a", "#7b4b94", "#8a6d1f", "#555555")
 #: A panel shows at least this share of the largest displacement, so that what stands still is drawn as a line and not as round-off.
 flatShare = 1e-4
 
+_largestDrawn = 1e100  # far below what matplotlib's axes overflow with [m]
+
 
 def _widened(limits, span):
 	"""The limits, or `span` around their middle if that is wider."""
@@ -393,18 +449,24 @@ def historyPlot(path, time, histories, title=None, timeRange=None, width=12.0, d
 	:param styles: dict from name to what its line shall look like, in matplotlib's words, such as {"A": {"linestyle": "--", "color": "black"}}
 	:raises ValueError: for no history or one of another shape, and for the style of a history that is not there
 	"""
-	time = np.asarray(time, dtype=float)
-	arrays = {name: np.array([tuple(row) for row in values], dtype=float) for name, values in histories.items()}
+	time = _array([_sequence(time, "time")], "numbers as time")[0]
+	if not isinstance(histories, dict):
+		raise ValueError(f"histories is {histories!r}; allowed is a dict from name to displacements")
+	arrays = {name: _array(values, f"3 displacements a time as the history of {name!r}") for name, values in histories.items()}
 	if not arrays:
 		raise ValueError("histories is empty; at least one brick is needed")
 	for name, values in arrays.items():
 		if values.shape != (len(time), 3):
 			raise ValueError(f"history of {name!r} has the shape {values.shape}; allowed is ({len(time)}, 3), as there are {len(time)} times")
+	if timeRange is not None and (len(ends := _sequence(timeRange, "timeRange")) != 2 or not all(_isFinite(end) for end in ends)):
+		raise ValueError(f"timeRange is {timeRange!r}; allowed are two finite times")
 	unknown = sorted(set(styles or ()) - set(arrays))
 	if unknown:
 		raise ValueError(f"styles has {', '.join(map(repr, unknown))}; allowed are the histories {', '.join(map(repr, arrays))}")
 	shown = slice(None) if timeRange is None else (time >= timeRange[0]) & (time <= timeRange[1])
 	largest = max(np.nanmax(np.abs(values[shown]), initial=0.0) for values in arrays.values())
+	if not largest < _largestDrawn:
+		raise ValueError(f"histories reach {largest:g} m; allowed are displacements below {_largestDrawn:g} m, and NaN where there is none")
 	unit, factor = ("mm", 1e3) if largest < 0.1 else ("m", 1.0)
 	figure = Figure(figsize=(width, 0.36 * width), dpi=dpi, layout="constrained")
 	FigureCanvasAgg(figure)

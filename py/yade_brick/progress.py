@@ -5,6 +5,7 @@
 """Running a stage of a YADE simulation with progress and time left."""
 
 import math
+import numbers
 import sys
 import time
 from typing import NamedTuple
@@ -77,20 +78,27 @@ def runWithProgress(duration=None, until=None, label="", every=None, callback=No
 def _endOfStage(scene, duration, until):
 	if (duration is None) == (until is None):
 		raise ValueError(f"duration is {duration} and until is {until}; allowed is exactly one of them")
-	if duration is not None and not (math.isfinite(duration) and duration > 0):
-		raise ValueError(f"duration is {duration}; allowed is a finite number of seconds > 0")
-	if until is not None and not (math.isfinite(until) and until > scene.time):
-		raise ValueError(f"until is {until} s; allowed is a finite time later than the present {scene.time:g} s")
+	if duration is not None and not (_isFinite(duration) and duration > 0):
+		raise ValueError(f"duration is {duration!r}; allowed is a finite number of seconds > 0")
+	if until is not None and not (_isFinite(until) and until > scene.time):
+		raise ValueError(f"until is {until!r} s; allowed is a finite time later than the present {scene.time:g} s")
 	if not (math.isfinite(scene.dt) and scene.dt > 0):
 		raise ValueError(f"O.dt is {scene.dt}; set a finite time step > 0 s before running")
-	return until if until is not None else scene.time + duration
+	end = until if until is not None else scene.time + duration
+	if not end > scene.time:
+		raise ValueError(f"duration is {duration} s; after {scene.time:g} s that is less than round-off of the time")
+	return end
+
+
+def _isFinite(value):
+	return isinstance(value, numbers.Real) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
 
 
 def _checkCallback(every, callback):
 	if (every is None) != (callback is None):
 		raise ValueError("every and callback go together; one of them is missing")
-	if every is not None and not (math.isfinite(every) and every > 0):
-		raise ValueError(f"every is {every}; allowed is a finite number of seconds > 0")
+	if every is not None and not (_isFinite(every) and every > 0):
+		raise ValueError(f"every is {every!r}; allowed is a finite number of seconds > 0")
 
 
 def _stops(start, end, every):

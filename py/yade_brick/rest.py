@@ -2,6 +2,7 @@
 # How far a scene of bricks is from rest, from energies and forces that the library computes.
 """Criterion of rest: `restState`, `isAtRest`."""
 
+import math
 from dataclasses import dataclass
 
 
@@ -11,7 +12,7 @@ class RestState:
 
 	:param kinetic: of bricks, rigid motion and deformation [J]
 	:param elastic: of bricks, mortar joints and contacts [J]
-	:param imbalance: mean net force on bodies over mean force in joints and contacts, YADE's unbalancedForce [-]
+	:param imbalance: mean net force on bodies over mean force in joints and contacts, YADE's unbalancedForce [-]; infinite where nothing touches
 	"""
 
 	kinetic: float
@@ -25,10 +26,17 @@ class RestState:
 
 
 def restState():
-	"""RestState of the scene; at least one step must have been done."""
+	"""RestState of the scene.
+
+	:raises RuntimeError: before the first step, when energies are not known yet
+	"""
 	from yade import Brick, O
 	from yade.utils import unbalancedForce
-	return RestState(*energies([body.shape for body in O.bodies if isinstance(body.shape, Brick)]), unbalancedForce())
+	kinetic, elastic = energies([body.shape for body in O.bodies if isinstance(body.shape, Brick)])
+	if math.isnan(elastic):
+		raise RuntimeError("the elastic energy is not known before the first step of a brick: run O.step() first")
+	imbalance = unbalancedForce()
+	return RestState(kinetic, elastic, math.inf if math.isnan(imbalance) else imbalance)
 
 
 def energies(bricks):
@@ -50,7 +58,7 @@ def isAtRest(energyRatio=1e-8, imbalance=1e-4):
 	:raises ValueError: for a limit that is not > 0
 	"""
 	for name, limit in (("energyRatio", energyRatio), ("imbalance", imbalance)):
-		if not limit > 0:
-			raise ValueError(f"{name} is {limit}; allowed is a number > 0")
+		if isinstance(limit, bool) or not isinstance(limit, (int, float)) or not limit > 0:
+			raise ValueError(f"{name} is {limit!r}; allowed is a number > 0")
 	now = restState()
 	return now.energyRatio <= energyRatio and now.imbalance <= imbalance

@@ -19,6 +19,8 @@ def patches(bodies, colors=None):
 	:returns: list of picture.Patch with the deformed corners in world axes [m]; fixed bricks are supports
 	"""
 	from yade import Brick
+	if colors is not None and not isinstance(colors, dict):
+		raise ValueError(f"colors is {colors!r}; allowed is a dict from body id to a colour or a number")
 	found = []
 	for body in bodies:
 		if body is None or not isinstance(body.shape, Brick):
@@ -54,7 +56,7 @@ class JointRecord:
 	YADE forgets a joint when its last segment has failed, so look (update) as often as the failure modes matter; a segment that was
 	intact at the last look and whose joint is gone by the next has state 4.
 
-	To be made when the joints exist and at least one step was done (their places are known only then).
+	To be made when the joints exist and at least one step was done (their places are known only then). Joints that have failed altogether before are left out.
 
 	:raises ValueError: when there is no joint
 	"""
@@ -64,7 +66,7 @@ class JointRecord:
 		self._states, places = {}, []
 		for interaction in O.interactions:
 			states = _statesOf(interaction)
-			if states is None:
+			if states is None or not interaction.phys.jointed:
 				continue
 			self._states[interaction.id1, interaction.id2] = states
 			places += [numbers(point) for point in interaction.phys.segmentPoints(interaction.geom)]

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Wrong input is refused at once: a ValueError (or the error named here) that says what is wrong, the value and what is allowed. Nothing ends the
 # process: what can only be seen in a step is refused by an engine outside YADE's parallel loop. Materials: testBrickMat.py.
-import math, unittest
+import math, re, tempfile, unittest
 
-from yade import O, Body, FrictMat, Quaternion, Vector3
+from yade import O, Body, ElastMat, FrictMat, Quaternion, Vector3, utils
+from yade.wrapper import ForceResetter, InteractionLoop, NewtonIntegrator
 from yade_brick import *
 from yade_brick import build
 
@@ -100,6 +101,43 @@ class Shape(Refused):
 		O.run(50, True)
 		self.refused(['trilinear', 'deformed', 'new one'], setattr, O.bodies[1].shape, 'deformation', 'rigid')
 
+	def test_brick_loaded_deformed_keeps_its_modes(self):
+		collapse.build(1, 1)
+		O.bodies[1].shape.deformation = 'trilinear'
+		O.run(50, True)
+		with tempfile.NamedTemporaryFile(suffix='.xml') as file:
+			O.save(file.name, quiet=True)
+			for name, value in (('deformation', 'rigid'), ('deformation', 'uniform'), ('deformation', 'refined')):
+				O.load(file.name, quiet=True)
+				self.refused(['deformed', 'cannot change', 'new one'], setattr, O.bodies[1].shape, name, value)
+				O.step()
+
+	def test_loaded_deformation_that_is_not_finite(self):
+		collapse.build(1, 1)
+		O.bodies[1].shape.deformation = 'trilinear'
+		O.run(50, True)
+		with tempfile.NamedTemporaryFile(suffix='.xml', mode='w+') as file:
+			O.save(file.name, quiet=True)
+			text = re.sub(r'(<rates[ >].*?<item>)[^<]*', r'\1nan', file.read(), 1, re.S)
+			file.seek(0)
+			file.write(text)
+			file.truncate()
+			file.flush()
+			self.refused(['rates', 'must be finite'], O.load, file.name, quiet=True)
+
+	def test_elasticity_and_density_that_overflow(self):
+		O.engines = [BrickDynamics()]
+		for young, density in ((1e308, 1e-300), (1e-300, 1e308)):
+			O.bodies.clear()
+			O.bodies.append(build.brick((.2, .2, .2), material=BrickMat(young=young, density=density)))
+			self.refused(['%g' % young, '%g' % density, 'omega^2'], O.step)
+		self.refused(['1e+308', 'overflow'], Brick.stiffness, corners(Vector3(100, 100, 100)), 1e308, .25)
+
+	def test_corners_cannot_be_taken_away(self):
+		collapse.build(1, 1)
+		self.refused(['corners', 'none given'], setattr, O.bodies[1].shape, 'corners', [])
+		O.step()
+
 	def test_corners_without_state(self):
 		self.refused(['state', 'None'], Brick(corners=corners(), contactThickness=.005).worldCorners, None)
 
@@ -122,6 +160,14 @@ class Bodies(Refused):
 	def test_material(self):
 		for material in (None, FrictMat()):
 			self.wrong(['material', 'BrickMat'], material=material)
+		for material in ('no such label', 7):
+			self.wrong([repr(material), 'O.materials'], material=material)
+
+	def test_types(self):
+		self.wrong(['size', "'wide'"], size='wide')
+		self.wrong(['size', '5'], size=5)
+		self.wrong(['orientation', '[1, 0, 0, 0]', 'Quaternion'], orientation=[1, 0, 0, 0])
+		self.wrong(['corners', 'eight points'], size=None, corners=3)
 
 
 class Engines(Refused):
@@ -147,7 +193,9 @@ class Engines(Refused):
 		for value in (0, 1.5, nan):
 			self.refused(['safety', '%g' % value, '(0, 1]'], BrickTimeStepper, safety=value)
 		self.refused(['tolerance', '-1', '>= 0'], MortarJoints, tolerance=-1)
+		self.refused(['tolerance', 'inf', 'finite'], MortarJoints, tolerance=math.inf)
 		self.refused(['normal', 'nan', 'finite'], MortarJoints, normal=Vector3(nan, 0, 0))
+		self.refused(['gravity', 'nan', 'finite'], StaticEquilibrium, gravity=Vector3(0, nan, -9.8))
 
 
 class Joints(Refused):
@@ -182,6 +230,43 @@ class Joints(Refused):
 		O.bodies[2].material = BrickMat(young=2 * O.materials[0].young, mortar=O.materials[0].mortar)
 		self.refused(['#1', '#2', 'Mortar.young'], self.lay)
 
+	def test_supports(self):
+		for material in (None, ElastMat()):
+			self.scene()
+			O.bodies[0].material = material
+			self.refused(['support #0', 'FrictMat'], self.lay)
+		self.scene()
+		O.bodies[0].shape.axis = 3
+		self.refused(['Wall #0', 'axis 3', '0, 1 and 2'], self.lay)
+		self.scene()
+		O.bodies.append(utils.box(center=(0, 0, -1), extents=(1, 1, 0), material=O.materials[0]))
+		self.refused(['Box #5', '1 1 0', 'above 0'], self.lay)
+
+	def test_place_that_is_not_finite(self):
+		self.scene()
+		O.bodies[2].state.pos = Vector3(nan, 0, 0)
+		self.refused(['Brick #2', 'not finite'], self.lay)
+
+	def test_loop_without_the_functors_of_joints(self):
+		parts = ([Ig2_Brick_Brick_BrickGeom, Ig2_Wall_Brick_BrickGeom], [Ip2_BrickMat_BrickMat_BrickPhys], [Law2_BrickGeom_BrickPhys_Mortar])
+		for missing in [functor for part in parts for functor in part]:
+			self.scene()
+			O.engines = [InteractionLoop(*[[functor() for functor in part if functor is not missing] for part in parts])]
+			self.refused([missing.__name__, 'InteractionLoop', '#'], self.lay)
+			O.engines = [ForceResetter(), InteractionLoop(*[[functor() for functor in part] for part in parts]), BrickDynamics(), NewtonIntegrator()]
+			self.lay()
+			O.step()
+
+	def test_equilibrium_of_what_is_not_finite(self):
+		for change, parts in (
+		        (lambda: setattr(O.bodies[2].state, 'mass', nan), ['#2', 'mass nan']),
+		        (lambda: setattr(O.bodies[2].state, 'pos', Vector3(0, math.inf, 0)), ['#2', 'place']),
+		        (lambda: O.forces.setPermF(3, Vector3(nan, 0, 0)), ['#3', 'force'])
+		):
+			collapse.build(2, 2)
+			change()
+			self.refused(parts, StaticEquilibrium(gravity=(0, 0, -9.8)))
+
 	def test_brick_without_corners(self):
 		self.scene()
 		bare = Body()
@@ -193,6 +278,30 @@ class Joints(Refused):
 		self.scene()
 		O.bodies[2].material = FrictMat()
 		self.refused(['#2', 'BrickMat'], self.lay)
+
+	def test_record_leaves_out_joints_that_have_failed_before(self):
+		collapse.build(2, 2)
+		O.step()
+		count = JointRecord().segmentCount()
+		O.bodies[4].state.vel = Vector3(0, 0, 20)
+		while len([i for i in O.interactions if i.isReal and i.phys.segmentState and not i.phys.jointed]) == 0 and O.iter < 1000:
+			O.step()
+		record = JointRecord()
+		record.update()
+		record.marks()
+		self.assertLess(record.segmentCount(), count)
+
+	def test_energies_before_the_first_step(self):
+		collapse.build(2, 2)
+		self.refused(['first step'], restState, error=RuntimeError)
+
+	def test_loads_and_frequencies(self):
+		collapse.build(2, 2)
+		O.step()
+		assembly = assembled()
+		self.refused(['load 3', 'finite'], assembly.solve, [0, 0, 0, nan] + [0] * (assembly.source.size - 4))
+		self.refused(['loads', 'x'], assembly.solve, 'x')
+		self.refused(['count', '1.5'], assembly.frequencies, 1.5)
 
 	def test_stresses_before_the_first_step(self):
 		collapse.build(2, 2)
