@@ -4,6 +4,8 @@
 #include "Prefetch.hpp"
 #include "Stopwatch.hpp"
 
+#include "kernel/Message.hpp"
+
 #include <core/Body.hpp>
 
 #include <atomic>
@@ -70,6 +72,45 @@ brick::Side sideOfBody(const Body& b, const shared_ptr<const brick::Hexahedron>&
 	return sideOfBox(*b.state, *box);
 }
 
+// Fitness for contact
+
+namespace {
+	shared_ptr<const brick::Hexahedron> solidOfBox(const Box& box)
+	{
+		return shared_ptr<const brick::Hexahedron>(new brick::Hexahedron(brick::cuboidCorners(2 * box.extents)));
+	}
+} // namespace
+
+string touchProblem(const Body& b)
+{
+	if (asBrick(b.shape)) return asBrickMat(b.material) ? "" : "its material must be a BrickMat";
+	if (const Box* box = dynamic_cast<const Box*>(b.shape.get()))
+		try {
+			solidOfBox(*box);
+		} catch (const std::invalid_argument& problem) {
+			return brick::message("bricks cannot touch a box of the extents (", box->extents.transpose(), ") m: ", problem.what());
+		}
+	return dynamic_cast<const FrictMat*>(b.material.get()) ? "" : "its material must be a FrictMat where bricks touch it";
+}
+
+namespace {
+
+	std::atomic<Body::id_t> untouchable { -1 };
+
+	bool canTouch(const Interaction& I, Scene* scene)
+	{
+		for (const Body::id_t id : { I.getId1(), I.getId2() })
+			if (!touchProblem(*Body::byId(id, scene)).empty()) {
+				untouchable.store(id, std::memory_order_relaxed);
+				return false;
+			}
+		return true;
+	}
+
+} // namespace
+
+Body::id_t takeUntouchable() { return untouchable.load(std::memory_order_relaxed) < 0 ? -1 : untouchable.exchange(-1); }
+
 // Geometry
 
 namespace {
@@ -133,6 +174,7 @@ bool Ig2_Brick_Brick_BrickGeom::go(
 	const Vector3r   position0 = reversed ? Vector3r(state2.pos + shift2) : state1.pos, position = reversed ? state1.pos : Vector3r(state2.pos + shift2);
 	const BrickPhys* phys = physOf(*I);
 	if (phys && phys->isJoint()) {
+		if (!I->functorCache.phys && !canTouch(*I, scene)) return false;
 		BrickGeom& geom = geomOf(I);
 		geom.reversed   = reversed;
 		updateJoint(shape0.placement(position0, state0), other.placement(position, state), phys->joint, geom);
@@ -140,6 +182,7 @@ bool Ig2_Brick_Brick_BrickGeom::go(
 	}
 	if (!phys && !force && first.isHeldApartFrom(second, I->getId2())) return false;
 	if (!updateContact(shape0.side(position0, state0), other.side(position, state), force, I)) return false;
+	if (!I->functorCache.phys && !canTouch(*I, scene)) return false;
 	static_cast<BrickGeom&>(*I->geom).reversed = reversed;
 	return true;
 }
@@ -155,7 +198,7 @@ bool Ig2_Wall_Brick_BrickGeom::go(
 {
 	const Stopwatch watch(seconds);
 	const Brick&    b = static_cast<const Brick&>(*shape);
-	if (!b.solid) return false;
+	if (!b.solid || (!I->functorCache.phys && !canTouch(*I, scene))) return false;
 	const Vector3r position = state2.pos + shift2;
 	return updateOnSupport(sideOfWall(static_cast<const Wall&>(*wall), state1, position), b.side(position, state2), force, I);
 }
@@ -174,7 +217,8 @@ bool Ig2_Box_Brick_BrickGeom::go(
 	if (!b.solid) return false;
 	shared_ptr<const brick::Hexahedron> solid;
 	if (I->geom) solid = static_cast<const BrickGeom&>(*I->geom).supportSolid;
-	if (!solid) solid.reset(new brick::Hexahedron(brick::cuboidCorners(2 * static_cast<const Box&>(*box).extents)));
+	if ((!solid || !I->functorCache.phys) && !canTouch(*I, scene)) return false;
+	if (!solid) solid = solidOfBox(static_cast<const Box&>(*box));
 	if (!updateOnSupport(sideOfBox(state1, *solid), b.side(state2.pos + shift2, state2), force, I)) return false;
 	static_cast<BrickGeom&>(*I->geom).supportSolid = solid;
 	return true;

@@ -226,6 +226,13 @@ brick::Side sideOfBox(const State&, const brick::Hexahedron&);
 /// @param box solid of a Box, only of such a body   @param brickPosition of the other body, a brick
 brick::Side sideOfBody(const Body&, const shared_ptr<const brick::Hexahedron>& box, const Vector3r& brickPosition);
 
+/// Why bricks cannot touch a body, or it cannot touch them, as it is; empty when they can.
+string touchProblem(const Body&);
+
+/// A body with a touchProblem that was met in YADE's parallel loop, where an error would end the process: its pair was left without contact, and
+/// BrickDynamics refuses it later in the same step. -1: none. Asking forgets it.
+Body::id_t takeUntouchable();
+
 /// Thickness of the thinner contact part of a pair's bricks [m].
 Real thinnestContactPart(const std::array<brick::Side, 2>&);
 

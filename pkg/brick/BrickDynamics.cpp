@@ -84,6 +84,11 @@ void BrickDynamics::postLoad(BrickDynamics&)
 /// Finds bricks that something was changed at since the last step, and what they need. Raises before anything has moved.
 void BrickDynamics::prepare()
 {
+	if (const Body::id_t id = takeUntouchable(); id >= 0 && scene->bodies->exists(id)) {
+		const Body& b = *(*scene->bodies)[id];
+		if (const string problem = touchProblem(b); !problem.empty())
+			throw std::invalid_argument("Body #" + std::to_string(id) + " (" + b.shape->getClassName() + "): " + problem);
+	}
 	const int count    = int(scene->bodies->size());
 	bool      allReady = true;
 #pragma omp parallel for schedule(static) reduction(&& : allReady) if (count > worthThreads)
@@ -207,6 +212,7 @@ void BrickDynamics::dropHeldApart()
 void BrickDynamics::takeUpReleased(const Body& b)
 {
 	for (const int id : static_cast<const Brick&>(*b.shape).beside) {
+		if (!scene->bodies->exists(id)) continue;
 		const auto& other = Body::byId(id, scene);
 		if (!other || !other->bound || !b.bound || scene->interactions->find(b.getId(), id)) continue;
 		const bool apart = (b.bound->min.array() > other->bound->max.array()).any() || (other->bound->min.array() > b.bound->max.array()).any();
@@ -226,11 +232,28 @@ void BrickDynamics::begin()
 	energyLedger.modes.assign(count, {});
 }
 
+/// A brick that nothing acts on has no force that would tell.
+void BrickDynamics::checkFree(Body::id_t id)
+{
+	const auto&  b     = (*scene->bodies)[id];
+	const Brick* shape = b ? asBrick(b->shape) : nullptr;
+	if (!shape) return;
+	const State& s      = *b->state;
+	const bool   finite = std::all_of(shape->amplitudes.begin(), shape->amplitudes.end(), [](Real a) { return std::isfinite(a); });
+	if (finite && (s.pos + s.vel + s.angVel).allFinite() && s.ori.coeffs().allFinite()) return;
+	stop(brick::message(
+	        "place, velocity or deformation of body #",
+	        id,
+	        " is not finite in step ",
+	        scene->iter,
+	        "; is a force on it, its velocity, gravity or the time step not finite, or far too large?"));
+}
+
 void BrickDynamics::give(int id)
 {
 	const BodyStep& step = steps[id];
 	if (step.released) takeUpReleased(*(*scene->bodies)[id]);
-	if (!step.any) return;
+	if (!step.any) return checkFree(id);
 	if (!step.force.allFinite() || !step.torque.allFinite()) {
 		const string cause = stepWatch.problem(*scene);
 		stop(brick::message("the force on body #", id, " is not finite in step ", scene->iter, cause.empty() ? "" : ": ", cause));

@@ -54,6 +54,7 @@ private:
 	void moveOn(Body&, BodyStep&);
 	void moveBrickOn(Body&, Brick&, const brick::NodalVectors&, BodyStep&, int holding);
 	void give(int id);
+	void checkFree(Body::id_t);
 	void book();
 	void askForNewBounds(const Body&, const Brick&) const;
 	void dropHeldApart();
