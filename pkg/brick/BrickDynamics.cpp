@@ -6,6 +6,9 @@
 
 #include <core/Body.hpp>
 
+#include <cstdio>
+#include <fstream>
+
 namespace yade {
 
 YADE_PLUGIN((BrickDynamics));
@@ -276,14 +279,16 @@ void BrickDynamics::book()
 /// Saves the scene and raises an error.
 void BrickDynamics::stop(const string& why) const
 {
-	string saved;
-	if (!stopFile.empty()) try {
-			Omega::instance().saveSimulation(stopFile);
-			saved = "; the scene was saved as '" + stopFile + "'";
-		} catch (const std::exception& problem) {
-			saved = "; the scene could not be saved as '" + stopFile + "': " + problem.what();
-		}
-	throw std::runtime_error("BrickDynamics: " + why + saved);
+	if (stopFile.empty()) throw std::runtime_error("BrickDynamics: " + why);
+	string problem = ": is its folder there, and may it be written to?";
+	std::remove(stopFile.c_str()); // YADE does not say when it cannot write
+	try {
+		Omega::instance().saveSimulation(stopFile);
+	} catch (const std::exception& e) {
+		problem = string(": ") + e.what();
+	}
+	const bool saved = std::ifstream(stopFile).good();
+	throw std::runtime_error("BrickDynamics: " + why + (saved ? "; the scene was saved as '" : "; the scene could not be saved as '") + stopFile + "'" + (saved ? "" : problem));
 }
 
 namespace {
@@ -309,7 +314,7 @@ string BrickDynamics::textOf(const EnergyGuard::Gain& found)
 		cause = brick::message(
 		        "bodies #", found.body, " and #", deepest.second, " have been inside each other by ", deepest.first, " contact parts; were they put so?");
 	if (cause.empty())
-		cause = "neither the time step nor deep contact accounts for it; were bodies, materials or joints changed during the run?";
+		cause = "neither the time step nor deep contact accounts for it; were bodies, materials or joints changed during the run";
 	return brick::message(
 	        "joints and contacts have made energy from nothing: ",
 	        found.work,
@@ -326,7 +331,7 @@ string BrickDynamics::textOf(const EnergyGuard::Gain& found)
 
 void BrickDynamics::action()
 {
-	if (const auto found = std::exchange(gain, {}); found && guard) stop(textOf(*found));
+	if (const string found = std::exchange(alarm, {}); !found.empty() && guard) stop(found);
 	prepare();
 	stepWatch.look(*scene);
 	if (!isCurrent()) findActing();
@@ -344,7 +349,8 @@ void BrickDynamics::action()
 	// one thread writes all forces, so that sums with other engines' forces have one order too
 	for (int id = 0; id < count; ++id)
 		give(id);
-	if (guard) gain = energyGuard.add(*scene, steps);
+	if (guard)
+		if (const auto gain = energyGuard.add(*scene, steps)) alarm = textOf(*gain);
 	if (scene->trackEnergy) book();
 	lastStep = scene->iter;
 	lastDt   = scene->dt;

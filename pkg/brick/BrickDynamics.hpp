@@ -34,7 +34,7 @@ private:
 	Real                  lastDt   = 0;
 
 	EnergyGuard                       energyGuard;
-	std::optional<EnergyGuard::Gain>  gain; // that the last step has found: the run stops before the next one changes anything
+	string                            alarm; // of the last step: the run stops before the next one changes anything
 	EnergyLedger                      energyLedger;
 	StepWatch                         stepWatch;
 

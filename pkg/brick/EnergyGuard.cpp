@@ -31,7 +31,9 @@ namespace {
 			if (const Brick* shape = asBrick(b->shape)) sum += shape->elasticEnergy();
 		for (const auto& I : *scene.interactions) {
 			const BrickPhys* phys = asBrickPhys(I->phys);
-			if (phys && I->geom && phys->step == scene.iter) sum += phys->elasticEnergy(boost::static_pointer_cast<BrickGeom>(I->geom));
+			if (!phys || !I->geom || phys->step != scene.iter) continue;
+			const auto geom = boost::static_pointer_cast<BrickGeom>(I->geom);
+			if (geom->isKnown()) sum += phys->elasticEnergy(geom); // not with bodies that are nowhere
 		}
 		return sum;
 	}

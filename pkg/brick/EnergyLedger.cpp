@@ -27,22 +27,21 @@ namespace {
 
 struct EnergyLedger::Sums {
 	Real     dt = 0, lastDt = 0; // of this step and of the one before, 0 if there was none
+	Vector3r gravity { Vector3r::Zero() };
 	Real     kinetic = 0, supportWork = 0;
 	Vector3r heldMomentum { Vector3r::Zero() }; // of bodies that forces do not move
 	Real     modesKinetic = 0, modesElastic = 0, modesDamping = 0;
 };
 
-/// From half a step before to the present: half a step of the forces of joints and contacts, and of whatever else acted in the step before.
-void EnergyLedger::addFree(const Body& b, const BodyStep& before, const BodyStep& now, Sums& sums) const
+void EnergyLedger::addFree(Scene& scene, const Body& b, const BodyStep& now, Sums& sums)
 {
-	const State& s = *b.state;
-	sums.kinetic += sums.dt / 2 * (now.force.dot(s.vel) + now.torque.dot(s.angVel));
-	if (sums.lastDt == 0) return;
-	const Vector3r others = s.mass * (s.vel - last[b.getId()].velocity) - sums.lastDt * before.force;
-	sums.kinetic += others.dot(s.vel) / 2;
+	const State& s     = *b.state;
+	Vector3r     force = now.force + s.mass * sums.gravity;
+	if (scene.forces.getPermForceUsed()) force += scene.forces.getPermForce(b.getId());
+	sums.kinetic += sums.dt / 2 * (force.dot(s.vel) + now.torque.dot(s.angVel));
 }
 
-void EnergyLedger::addHeld(const Body& b, const BodyStep& before, const BodyStep& now, Sums& sums) const
+void EnergyLedger::addHeld(const Body& b, const BodyStep& before, const BodyStep& now, Sums& sums)
 {
 	const State& s = *b.state;
 	sums.supportWork += sums.lastDt / 2 * ((before.force + now.force).dot(s.vel) + (before.torque + now.torque).dot(s.angVel));
@@ -62,18 +61,18 @@ void EnergyLedger::addModes(Sums& sums)
 
 void EnergyLedger::book(Scene& scene, const std::vector<BodyStep>& before, const std::vector<BodyStep>& now, const std::vector<const BrickPhys*>& acting)
 {
-	const bool continues = lastStep == scene.iter - 1 && last.size() == now.size();
+	const bool continues = lastStep == scene.iter - 1;
 	if (!continues) dampedLate = 0;
-	last.resize(now.size());
+	if (scene.forces.getPermForceUsed()) scene.forces.sync(); // sizes the arrays of forces given since the last step
 	Sums sums;
-	sums.dt     = scene.dt;
-	sums.lastDt = continues ? lastDt : 0;
+	sums.dt      = scene.dt;
+	sums.lastDt  = continues ? lastDt : 0;
+	sums.gravity = gravityOf(scene).value_or(Vector3r::Zero());
 	for (const auto& b : *scene.bodies) {
 		const auto id = b->getId();
-		if (b->isDynamic() && b->state->mass > 0) addFree(*b, before[id], now[id], sums);
+		if (b->isDynamic() && b->state->mass > 0) addFree(scene, *b, now[id], sums);
 		else if (!b->isDynamic())
 			addHeld(*b, before[id], now[id], sums);
-		last[id].velocity = b->state->vel;
 	}
 	addModes(sums);
 	brick::PairEnergy pairs;
@@ -92,8 +91,8 @@ void EnergyLedger::book(Scene& scene, const std::vector<BodyStep>& before, const
 	add(scene, pairs.dashpot, "dashpots", accumulated);
 	add(scene, pairs.area, "contactArea", accumulated);
 	add(scene, sums.supportWork, "supportWork", accumulated);
-	if (sums.heldMomentum != Vector3r::Zero())
-		if (const auto gravity = gravityOf(scene)) add(scene, gravity->dot(sums.heldMomentum) * scene.dt, "gravWork", accumulated);
+	// YADE counts bodies that are held, too
+	add(scene, sums.gravity.dot(sums.heldMomentum) * scene.dt, "gravWork", accumulated);
 	lastStep = scene.iter;
 	lastDt   = scene.dt;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Fills O.energy with what joints, contacts and deformation hold and take, so that O.energy.total() stays constant: see BrickDynamics.
 //
-// YADE's integrator books the kinetic energy of half a step before; this is what the ledger moves on to the present step, where positions, and so all springs,
-// are known. The sum then changes only by the errors of a nonlinear step (kernel/PairLedger.hpp).
+// YADE's integrator books the kinetic energy of half a step before; the ledger moves it on to the present step, where positions, and so all springs, are known: by
+// half a step of joints, contacts, gravity and permanent forces here, of the ground's acceleration in GroundMotion. The sum then changes only by the errors of a nonlinear step (kernel/PairLedger.hpp).
 #pragma once
 
 #include "BodyStep.hpp"
@@ -16,22 +16,18 @@ public:
 	std::vector<brick::ModeEnergy> modes;
 
 	/// Books a step.
-	/// @param before, now what acted on each body in the step before and in this one   @param acting interactions that act in this step, each once
+	/// @param before, now what joints and contacts do to each body in the step before and in this one   @param acting interactions that act in this step, each once
 	void book(Scene&, const std::vector<BodyStep>& before, const std::vector<BodyStep>& now, const std::vector<const BrickPhys*>& acting);
 
 private:
-	struct Motion {
-		Vector3r velocity;
-	};
-	std::vector<Motion> last; // of each body in the step before
-	long                lastStep   = -2;
-	Real                lastDt     = 0;
-	Real                dampedLate = 0; // by the modes' damping in the half step after the last one [J]
+	long lastStep   = -2;
+	Real lastDt     = 0;
+	Real dampedLate = 0; // by the modes' damping in the half step after the last one [J]
 
 	struct Sums;
-	void addFree(const Body&, const BodyStep& before, const BodyStep& now, Sums&) const;
-	void addHeld(const Body&, const BodyStep& before, const BodyStep& now, Sums&) const;
-	void addModes(Sums&);
+	static void addFree(Scene&, const Body&, const BodyStep& now, Sums&);
+	static void addHeld(const Body&, const BodyStep& before, const BodyStep& now, Sums&);
+	void        addModes(Sums&);
 };
 
 } // namespace yade

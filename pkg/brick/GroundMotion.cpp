@@ -39,16 +39,16 @@ void GroundMotion::push()
 		if (isFree(b)) scene->forces.addForce(b->getId(), -b->state->mass * z);
 }
 
-/// Work since the step before: mean of the accelerations at both ends times the displacement between.
+/// Work since the step before: mean of the accelerations at both ends times the displacement between. And what it adds to the kinetic energy in the half step
+/// from the present velocities to the present, see EnergyLedger.
 void GroundMotion::bookWork(const Vector3r& z)
 {
-	if (lastStep == scene->iter - 1) {
-		Vector3r momentum = Vector3r::Zero();
-		for (const auto& b : *scene->bodies)
-			if (isFree(b)) momentum += b->state->mass * b->state->vel;
-		int id = -1;
-		scene->energy->add(lastDt / 2 * (lastAcceleration + z).dot(momentum), "groundWork", id);
-	}
+	Vector3r momentum = Vector3r::Zero();
+	for (const auto& b : *scene->bodies)
+		if (isFree(b)) momentum += b->state->mass * b->state->vel;
+	int work = -1, kinetic = -1;
+	if (lastStep == scene->iter - 1) scene->energy->add(lastDt / 2 * (lastAcceleration + z).dot(momentum), "groundWork", work);
+	scene->energy->add(-scene->dt / 2 * z.dot(momentum), "kinetic", kinetic, true);
 	lastStep         = scene->iter;
 	lastDt           = scene->dt;
 	lastAcceleration = z;

@@ -203,6 +203,13 @@ Real MortarJoints::gapOf(const Body& b) const
 	return brickOf(b) ? relativeTolerance * diagonal(*brickOf(b)) : 0;
 }
 
+/// The smaller brick's, whatever the order; a support has none.
+Real MortarJoints::gapBetween(const Body& a, const Body& b) const
+{
+	if (!brickOf(a)) return gapOf(b);
+	return brickOf(b) ? std::min(gapOf(a), gapOf(b)) : gapOf(a);
+}
+
 void MortarJoints::join(const shared_ptr<Body>& a, const shared_ptr<Body>& b, FunctorsNeeded& functors)
 {
 	if (areJoined(a->getId(), b->getId())) return;
@@ -215,7 +222,7 @@ void MortarJoints::join(const shared_ptr<Body>& a, const shared_ptr<Body>& b, Fu
 	if (const Box* shape = dynamic_cast<const Box*>(first.shape.get())) box.reset(new brick::Hexahedron(brick::cuboidCorners(2 * shape->extents)));
 	const brick::Side           side0 = sideOfBody(first, box, second.state->pos), side1 = sideOfBody(second, nullptr, second.state->pos);
 	std::array<int, 2>          faces { 0, 0 };
-	std::optional<brick::Joint> joint = largestOverlap(side0, side1, gapOf(second), normal, faces);
+	std::optional<brick::Joint> joint = largestOverlap(side0, side1, gapBetween(first, second), normal, faces);
 	if (!joint) return;
 	const shared_ptr<Mortar> filling = mortarBetween(first, second, mortar);
 	if (!filling) return;
@@ -291,7 +298,7 @@ void MortarJoints::noteBeside(const shared_ptr<Body>& a, const shared_ptr<Body>&
 		return areJoined(a->getId(), item.first) && areJoined(b->getId(), item.first);
 	});
 	std::array<int, 2> faces;
-	if (!held || largestOverlap(sideOfBody(*a, nullptr, a->state->pos), sideOfBody(*b, nullptr, b->state->pos), gapOf(*b), Vector3r::Zero(), faces)) return;
+	if (!held || largestOverlap(sideOfBody(*a, nullptr, a->state->pos), sideOfBody(*b, nullptr, b->state->pos), gapBetween(*a, *b), Vector3r::Zero(), faces)) return;
 	first->beside.push_back(b->getId());
 	second->beside.push_back(a->getId());
 }

@@ -22,7 +22,7 @@ The mortar is the materials' (:yref:`BrickMat.mortar`), or the one given here fo
 		((vector<int>, ids, , , "Only joints between these bodies; empty: all."))
 		((shared_ptr<Mortar>, mortar, , , "Mortar of these joints; none: that of the bricks' materials."))
 		((Vector3r, normal, Vector3r::Zero(), Attr::triggerPostLoad, "Only faces within 45 degrees of this direction, either way: (0,0,1) for bed joints. Zero: all."))
-		((Real, tolerance, NaN, Attr::triggerPostLoad, "Largest gap or overlap of faces that touch [m]; NaN: 1e-6 of each brick's diagonal. Such a gap counts as closed."))
+		((Real, tolerance, NaN, Attr::triggerPostLoad, "Largest gap or overlap of faces that touch [m]; NaN: 1e-6 of the smaller brick's diagonal. Such a gap counts as closed."))
 		((int, made, 0, Attr::readonly, "Joints made by the last call."))
 	);
 	// clang-format on
@@ -37,6 +37,7 @@ private:
 	void noteBeside(const shared_ptr<Body>&, const shared_ptr<Body>&) const;
 	bool areJoined(Body::id_t, Body::id_t) const;
 	Real gapOf(const Body&) const;
+	Real gapBetween(const Body&, const Body&) const;
 };
 REGISTER_SERIALIZABLE(MortarJoints);
 
