@@ -60,7 +60,7 @@ class TiltingWalls(Case):
 			ground(dry)
 			bricks = [add(ONE_BRICK, center=(0, 0, SIDE * (k + .5)), material=dry, deformation='rigid', segments=SEGMENTS) for k in range(ROWS)]
 			engines()
-			leans, exact = stackPath(ROWS, ONE_BRICK, E, SEGMENTS)
+			leans, exact = stackPath(ROWS, ONE_BRICK, E)
 			path = self.follow('Stiff columns on a tilting table', 'E = %g Pa' % E, bricks[-1:], .97 * max(exact), 2 * leans[exact.index(max(exact))], .3)
 			self.judge('E = %g Pa: largest tilt [degrees]' % E, path.peak(), max(exact), 1e-2, TURNED)
 			self.compare('E = %g Pa: largest tilt [degrees]' % E, path.peak(), limit, SOFTER)
@@ -70,7 +70,7 @@ class TiltingWalls(Case):
 	def test_out_of_plane(self):
 		"""The straight-joint wall, 6 x 6 cubes, tilted about its foot. Neighbours lean alike and do not slide on each other, so it falls as a column of six does."""
 		expected, young = reference('dyn.out_of_plane')['deg'], 9.8e8
-		leans, tilts = stackPath(ROWS, ONE_BRICK, young, SEGMENTS)
+		leans, tilts = stackPath(ROWS, ONE_BRICK, young)
 		exact = max(tilts)
 		path = self.follow('Wall tilted out of plane', 'wall', dryWall('straight', FRICTION, young, 0), .95 * exact, 2 * leans[tilts.index(exact)], .3, axis=1)
 		self.judge('largest tilt [degrees]', path.peak(), exact, 1e-2, TURNED)
@@ -83,7 +83,7 @@ class TiltingWalls(Case):
 		friction.
 		"""
 		young, figure = 9.8e8, 'Straight joints, tilted in plane'
-		exact = stackAngle(ROWS, ONE_BRICK, young, SEGMENTS)
+		exact = stackAngle(ROWS, ONE_BRICK, young)
 		path = self.follow(figure, 'no friction in heads', dryWall('straight', FRICTION, young, GAP), .95 * exact, .012, .3)
 		self.judge('largest tilt [degrees]', path.peak(), exact, 1e-2, TURNED)
 		for bed in ('None', str(math.tan(FRICTION))):
@@ -99,7 +99,7 @@ class TiltingWalls(Case):
 		any pressure there. Judged: not below columns without friction (but for what the rate gives), not above the bound.
 		"""
 		young, figure = 9.8e8, 'Straight joints, tilted in plane'
-		exact = stackAngle(ROWS, ONE_BRICK, young, SEGMENTS)
+		exact = stackAngle(ROWS, ONE_BRICK, young)
 		expected = reference('dyn.tilting')
 		path = self.follow(figure, 'friction in heads, 32 degrees', dryWall('straight', FRICTION, young, 0), .95 * exact, .012, .3)
 		bound = expected['straight 6x6 mu=%s' % math.tan(FRICTION)]['deg']

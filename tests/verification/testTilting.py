@@ -30,7 +30,7 @@ class TiltingTable(Case):
 
 	def follow(self, figure, name, count, size, young, tolerance, rate=.6):
 		"""The path of a stack past its peak against exact statics; the largest tilts, ours and exact [degrees]."""
-		leans, tilts = stackPath(count, size, young, SEGMENTS)
+		leans, tilts = stackPath(count, size, young)
 		exact = max(tilts)
 		peakAt = leans[tilts.index(exact)]
 		path = Path([stack(count, size, young, math.radians(60))[-1]], .95 * exact, 2 * peakAt, count * size[2], rate)
@@ -45,7 +45,7 @@ class TiltingTable(Case):
 	def judgeLimit(self, figure, name, count, size, limit, tolerance, measured):
 		"""Exact statics of ever stiffer springs against the rigid limit; measured: pairs of stiffness and tilt of ours."""
 		young = [9.8e8, 9.8e9, 9.8e10, 9.8e11]
-		angles = [stackAngle(count, size, E, SEGMENTS) for E in young]
+		angles = [stackAngle(count, size, E) for E in young]
 		label = '%s: statics of ever stiffer springs, extrapolated [degrees]' % name
 		self.judge(label, withoutCompliance(young, angles), limit, tolerance, 'what is left after the inverse cubic root')
 		self.curve(figure, name + ': exact statics', young, [a / limit for a in angles], 'Young\'s modulus [Pa]', 'largest tilt, over that of rigid bricks', True)

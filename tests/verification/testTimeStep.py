@@ -38,6 +38,7 @@ class LimitOfTheTimeStep(Case):
 		return utils.kineticEnergy() / start
 
 	def bound(self, make):
+		O.reset()
 		make()
 		MortarJoints()()
 		engines(gravity=(0, 0, 0))

@@ -5,8 +5,6 @@
 # so the table is turned back as soon as the top leans further than it is asked to: the path of equilibrium is followed past its peak.
 import math
 
-from scipy.optimize import brentq
-
 from cases import *
 
 
@@ -85,33 +83,19 @@ def standsAt(tops, degrees, lean, axis=0, seconds=.6):
 # Statics of a stack
 
 
-def pressedJoint(force, offset, length, segments):
-	"""A joint under a force (over kn and depth) at an offset from its middle; its springs only press, and press in the middle of what is pressed of a segment.
+def pressedJoint(force, offset, length):
+	"""A joint under a force (over kn and depth) at an offset from its middle; its springs only press.
 
 	:returns: closing in the middle [m], rotation towards the offset [rad], length in contact [m]; None when the force acts outside
 	"""
-	inertia = length**3 / 12 * (1 - 1 / segments**2)
-	if abs(offset) <= 2 * inertia / length**2: return force / length, offset * force / inertia, length
-
-	def sums(start):
-		"""Force, moment and length of the part beyond `start`, pressed by a unit rotation about it."""
-		total = moment = contact = 0
-		for i in range(segments):
-			low, high = max(start, length * (i / segments - .5)), length * ((i + 1) / segments - .5)
-			if high <= low: continue
-			middle = (low + high) / 2
-			total, moment, contact = total + (high - low) * (middle - start), moment + (high - low) * (middle - start) * middle, contact + high - low
-		return total, moment, contact
-
-	excess = lambda start: sums(start)[1] / sums(start)[0] - abs(offset)
-	first, last = -length / 2, length / 2 * (1 - 1e-9)
-	if excess(last) < 0: return None
-	start = brentq(excess, first, last, xtol=1e-15) if excess(first) < 0 else first
-	total, _, contact = sums(start)
-	return -force / total * start, math.copysign(force / total, offset), contact
+	if abs(offset) <= length / 6: return force / length, 12 * offset * force / length**3, length
+	contact = 3 * (length / 2 - abs(offset))  # the force acts at a third of it from the edge
+	if contact <= 0: return None
+	rotation = 2 * force / contact**2
+	return rotation * (contact - length / 2), math.copysign(rotation, offset), contact
 
 
-def stackAt(lean, count, size, young, segments):
+def stackAt(lean, count, size, young):
 	"""Tilt of the table [rad] and lean of the top brick's centre [m] of a stack whose top brick is turned by `lean` [rad] against gravity.
 
 	From the top down, in the axes of the top brick: what a joint carries is known, so how it closes, turns and slips is, and where the next brick is.
@@ -132,7 +116,7 @@ def stackAt(lean, count, size, young, segments):
 		for _ in range(4):
 			# forces act along the mean normal of the two faces; on the table along its own
 			angle = local - rotation * (1 if onTable else .5)
-			found = pressedJoint(k * weight * math.cos(angle) / (normal * depth), offset, width, segments)
+			found = pressedJoint(k * weight * math.cos(angle) / (normal * depth), offset, width)
 			if found is None: return None
 			closing, rotation, contact = found
 		slip = k * weight * math.sin(angle) / (shear * depth * contact)
@@ -143,11 +127,11 @@ def stackAt(lean, count, size, young, segments):
 	return lean + turn, z * math.sin(turn) - x * math.cos(turn)
 
 
-def stackPath(count, size, young, segments, points=1500):
+def stackPath(count, size, young, points=1500):
 	"""Leans [m] and tilts [degrees] of equilibrium, to well past the largest tilt, which is that of collapse."""
 	limit, leans, tilts = math.atan(size[0] / (count * size[2])), [], []
 	for k in range(1, 2 * points):
-		found = stackAt(limit * k / points, count, size, young, segments)
+		found = stackAt(limit * k / points, count, size, young)
 		if found is None: break
 		tilts.append(math.degrees(found[0]))
 		leans.append(found[1])
@@ -155,9 +139,9 @@ def stackPath(count, size, young, segments, points=1500):
 	return leans, tilts
 
 
-def stackAngle(count, size, young, segments):
+def stackAngle(count, size, young):
 	"""Tilt of collapse [degrees]."""
-	return max(stackPath(count, size, young, segments)[1])
+	return max(stackPath(count, size, young)[1])
 
 
 def withoutCompliance(young, angles):

@@ -144,7 +144,7 @@ def springing(shape, thrust, eccentricity, young):
 			along = np.array([radial[1], -radial[0]])
 			normal = total @ along
 			if normal <= 0: return None
-			found = pressedJoint(normal * (1 - POISSON**2) * length / (young * DEPTH), -moment / normal, shape.thickness, SEGMENTS)
+			found = pressedJoint(normal * (1 - POISSON**2) * length / (young * DEPTH), -moment / normal, shape.thickness)
 			if found is None: return None
 			closing, rotation, contact = found
 		slip = total @ radial * 2 * (1 + POISSON) * length / (young * DEPTH * contact)
