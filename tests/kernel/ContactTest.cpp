@@ -930,11 +930,12 @@ struct Loop {
 	/// Its corner goes in a circle and up and down while it tilts and turns; time from 0 to 1, both ends alike.
 	void place(Real time)
 	{
-		const Real t          = 2 * M_PI * time;
-		Body&      b          = pair.second;
-		b.placement           = Placement();
+		const Real t = 2 * M_PI * time;
+		Body&      b = pair.second;
+		b.placement  = Placement();
 		b.move(turn), b.move({ .1 * std::sin(t), .07 * std::cos(2 * t), .2 * std::sin(t) });
-		b.placement.position += Vector3r(.01 * std::cos(t), .02 * std::sin(t), edge / 2 - 1e-3 * (1 + .5 * std::sin(t + .3))) - b.world(b.solid.corners[corner]);
+		b.placement.position
+		        += Vector3r(.01 * std::cos(t), .02 * std::sin(t), edge / 2 - 1e-3 * (1 + .5 * std::sin(t + .3))) - b.world(b.solid.corners[corner]);
 	}
 	/// Work of the contact's forces on the upper body all around, as a share of the sum of its absolute values.
 	Real work(int steps)
@@ -1042,7 +1043,7 @@ Pair pressedTogether(bool slab, int cells, int segments, Real pressed, Real disp
 {
 	pairs::Random random(19);
 	Pair          p(slab ? Body::slab({ 3, 3, edge }, { 0, 0, 0 }) : Body::cube({ 0, 0, 0 }, segments),
-               Body::cuboid({ small, small, edge }, { .01, -.015, edge - pressed }, segments));
+	       Body::cuboid({ small, small, edge }, { .01, -.015, edge - pressed }, segments));
 	p.springs.tanFriction = 0;
 	p.second.move({ 0, 0, .1 }, { 0, 0, 0 }, p.second.placement.position);
 	for (Body* b : { &p.first, &p.second }) {
@@ -1057,7 +1058,7 @@ Pair pressedTogether(bool slab, int cells, int segments, Real pressed, Real disp
 
 /// One component of a node's displacement.
 struct Freedom {
-	int  body, node, axis;
+	int   body, node, axis;
 	Real& of(Pair& p) const { return (*nodesOf(body ? p.second : p.first)[node])[axis]; }
 	Real  force(const Pair::Answer& a) const { return a.loads[body].nodal[node][axis]; }
 };
@@ -1076,7 +1077,7 @@ std::vector<Freedom> freedomsOf(Pair& p)
 /// Largest difference between nodal forces and the slope of the energy, as a share of the largest nodal force.
 Real worstSlope(Pair p)
 {
-	constexpr Real h = 1e-8;
+	constexpr Real h     = 1e-8;
 	Real           worst = 0, largest = 0;
 	const auto     a = p.step();
 	for (const Freedom& freedom : freedomsOf(p)) {
@@ -1091,7 +1092,7 @@ Real worstSlope(Pair p)
 /// Largest difference between the stiffness of the contact, by finite differences, and its transpose, as a share of its largest entry.
 Real asymmetry(Pair p)
 {
-	constexpr Real  h = 1e-8;
+	constexpr Real  h        = 1e-8;
 	const auto      freedoms = freedomsOf(p);
 	Eigen::MatrixXd K(freedoms.size(), freedoms.size());
 	for (std::size_t j = 0; j < freedoms.size(); ++j) {
@@ -1108,16 +1109,18 @@ Real asymmetry(Pair p)
 
 TEST(ContactTest, nodal_forces_are_the_slope_of_the_energy_to_the_depth_over_the_size_of_a_cell)
 {
-	// Left are: the area, which counts in the energy as it is deformed, without a force that would do its work: for a corner of the owner's face exactly depth over
-	// size; and, where the other's face is warped within a segment, the square of the segment's size.
+	// Left are: the area, which counts in the energy as it is deformed, without a force that would do its work: for a corner of the owner's face exactly depth
+	// over size; and, where the other's face is warped within a segment, the square of the segment's size.
 	for (bool slab : { true, false })
 		for (int cells : { 1, 2, 4 })
 			for (int each : { 1, 2, 4 }) // segments in a cell
 				for (Real pressed : { 2e-4, 5e-5 })
 					for (Real share : { 0., .25 }) {
 						if (cells * each > 8) continue;
-						const Real error = worstSlope(pressedTogether(slab, cells, cells * each, pressed, share * pressed)), area = pressed * cells / small;
-						EXPECT_LT(error, 1.1 * area + .04 * share / (each * each)) << slab << " " << cells << " " << each << " " << pressed;
+						const Real error = worstSlope(pressedTogether(slab, cells, cells * each, pressed, share * pressed)),
+						           area  = pressed * cells / small;
+						EXPECT_LT(error, 1.1 * area + .04 * share / (each * each))
+						        << slab << " " << cells << " " << each << " " << pressed;
 						EXPECT_NEAR(error, slab && cells == 1 && share == 0 ? area : error, 1e-3 * area);
 					}
 }
@@ -1139,9 +1142,14 @@ TEST(ContactTest, stiffness_of_deformed_faces_in_contact_is_symmetric)
 							*u = random.vector(share * pressed);
 					}
 					const Real area = pressed * cells / edge;
-					EXPECT_LT(asymmetry(p), 3 * area + .1 * share / (each * each)) << cells << " " << each << " " << pressed << " " << share;
-					EXPECT_LT(asymmetry(pressedTogether(false, cells, cells * each, pressed, share * pressed)), 3 * area + .06 / (each * each));
-					EXPECT_LT(asymmetry(pressedTogether(true, cells, cells * each, pressed, share * pressed)), 3 * area + .1 * share / (each * each));
+					EXPECT_LT(asymmetry(p), 3 * area + .1 * share / (each * each))
+					        << cells << " " << each << " " << pressed << " " << share;
+					EXPECT_LT(
+					        asymmetry(pressedTogether(false, cells, cells * each, pressed, share * pressed)),
+					        3 * area + .06 / (each * each));
+					EXPECT_LT(
+					        asymmetry(pressedTogether(true, cells, cells * each, pressed, share * pressed)),
+					        3 * area + .1 * share / (each * each));
 				}
 }
 
@@ -1150,9 +1158,9 @@ namespace {
 /// As seen in a mirror across the plane through the origin normal to an axis.
 Body mirrored(const Body& b, int axis)
 {
-	Matrix3r mirror     = Matrix3r::Identity();
-	mirror(axis, axis)  = -1;
-	Body out            = b; // a box looks the same
+	Matrix3r mirror        = Matrix3r::Identity();
+	mirror(axis, axis)     = -1;
+	Body out               = b; // a box looks the same
 	out.placement.position = mirror * b.placement.position;
 	out.placement.rotation = mirror * b.placement.rotation * mirror;
 	for (int a = 0; a < nodeCount; ++a) {
@@ -1177,9 +1185,12 @@ TEST(ContactTest, mirrored_bodies_have_mirrored_spots)
 	for (int trial = 0; trial < 200; ++trial)
 		for (int axis = 0; axis < 3; ++axis) {
 			const bool deformed = trial % 2, flat = trial % 4 < 2;
-			Pair       p        = flat ? Pair::stacked(1 + trial % 6) : randomPair(random, deformed);
+			Pair       p = flat ? Pair::stacked(1 + trial % 6) : randomPair(random, deformed);
 			if (flat) {
-				p.second.move({ 0, 0, random.between(-.5, .5) }, { random.between(-.1, .1), random.between(-.1, .1), 0 }, p.second.placement.position);
+				p.second.move(
+				        { 0, 0, random.between(-.5, .5) },
+				        { random.between(-.1, .1), random.between(-.1, .1), 0 },
+				        p.second.placement.position);
 				p.second.move(random.vector(1e-5), { 0, 0, 0 }, p.second.placement.position);
 				for (Body* b : { &p.first, &p.second })
 					b->deformable = deformed, b->displacement = random.nodes(1e-6);
@@ -1197,7 +1208,8 @@ TEST(ContactTest, mirrored_bodies_have_mirrored_spots)
 					if (other.owner == spot.owner)
 						least = std::min(
 						        least,
-						        (other.position - mirror * spot.position).norm() / edge + std::abs(other.penetration - spot.penetration) / edge
+						        (other.position - mirror * spot.position).norm() / edge
+						                + std::abs(other.penetration - spot.penetration) / edge
 						                + std::abs(other.area - spot.area) / (edge * edge));
 				volume += spot.area * spot.penetration;
 				if (least > 1e-9) missed += spot.area * spot.penetration; // cuts at slopes of 1e-5 place to 3e-12 m
@@ -1224,12 +1236,12 @@ TEST(ContactTest, shear_of_a_joint_between_its_segments_is_their_mean)
 	int        between[2] { 0, 0 };
 	for (std::size_t i = 0; i < memory.size(); ++i) {
 		const int      owner = memory.keys[i] >= contactKey(1, 0, 0, 0), cell = memory.keys[i] - contactKey(owner, owner ? 4 : 5, owner ? 5 : 4, 0);
-		const Body&    b = owner ? upper : lower;
-		const int      n = b.segments;
-		const Vector3r x = b.world(b.solid.faces[owner ? 4 : 5].at((2. * (cell % n) + 1) / n - 1, (2. * (cell / n) + 1) / n - 1));
-		int      count = 0;
-		Real     nearest = std::numeric_limits<Real>::infinity();
-		Vector3r mean = Vector3r::Zero();
+		const Body&    b       = owner ? upper : lower;
+		const int      n       = b.segments;
+		const Vector3r x       = b.world(b.solid.faces[owner ? 4 : 5].at((2. * (cell % n) + 1) / n - 1, (2. * (cell / n) + 1) / n - 1));
+		int            count   = 0;
+		Real           nearest = std::numeric_limits<Real>::infinity();
+		Vector3r       mean    = Vector3r::Zero();
 		for (const auto& s : pairs::segmentsOf(joint))
 			nearest = std::min(nearest, (lower.world(joint.shape->patches[0].sides[0].corners.transpose() * cornerWeights(s.p, s.q)) - x).norm());
 		for (const auto& s : pairs::segmentsOf(joint)) {

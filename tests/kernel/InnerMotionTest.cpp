@@ -211,7 +211,7 @@ struct LoadedModes {
 	template <class Load> Real step(int number, Load loadAt)
 	{
 		const auto before = amplitude, loadBefore = load;
-		Real       work   = 0;
+		Real       work = 0;
 		if (number > 0) advance();
 		for (std::size_t k = 0; k < load.size(); ++k) {
 			load[k] = loadAt(int(k), number);
@@ -240,10 +240,11 @@ TEST(ModeEnergy, changes_by_the_work_of_loads_and_of_damping_alone)
 					// chaotic, of the size of the stiffness of the third mode
 					const Real work = m.step(i, [&](int, int) { return 1e-3 * ((x = 3.7 * x * (1 - x)) - .5) / (dt * dt); });
 					const Real all  = m.energy.kinetic + m.energy.elastic;
-					turned = std::max(turned, std::abs(all) + std::abs(work) + std::abs(m.energy.kinetic) + m.energy.elastic);
+					turned          = std::max(turned, std::abs(all) + std::abs(work) + std::abs(m.energy.kinetic) + m.energy.elastic);
 					if (i > 0) {
 						// sums of some thirty numbers of this size
-						ASSERT_NEAR(all - last, work - late - m.energy.dampedBefore, 1e-14 * 30 * turned) << i << " " << zeta << " " << localDamping;
+						ASSERT_NEAR(all - last, work - late - m.energy.dampedBefore, 1e-14 * 30 * turned)
+						        << i << " " << zeta << " " << localDamping;
 					}
 					last = all, late = m.energy.dampedAfter;
 					EXPECT_TRUE(zeta + localDamping > 0 || (late == 0 && m.energy.dampedBefore == 0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the ledgers of joints and contacts book, beside work that is counted from forces and motions alone: over a step the mean of the forces at both of its ends
+// What the ledgers of joints and contacts book, beside work that is counted from forces and motions alone: over a step the mean of the forces at both ends
 // times the displacement between. As far as springs are linear and nothing turns, both agree to round-off; otherwise to an order of the step that is derived.
 #include "Pairs.hpp"
 
@@ -17,9 +17,9 @@ using pairs::edge;
 namespace {
 
 constexpr int  below = 4, above = 5; // faces -z and +z
-constexpr Real bed = edge * edge;
+constexpr Real bed   = edge * edge;
 constexpr Real micro = 1e-6; ///< size of openings [m]
-/// Relative to the energy turned over: openings of 1e-6 m are differences of places of 0.1 m, which round to 1.4e-17 m, and are summed over some hundred of them.
+/// Relative to the energy turned over: openings of 1e-6 m are differences of places of 0.1 m, which round to 1.4e-17 m; sums of some hundred of them.
 constexpr Real roundOff = 1e-9;
 
 MortarStrength unbreakable() { return { 1e30, 1e30, pairs::friction, 1e30, 9 }; }
@@ -52,9 +52,9 @@ void setVelocities(Body& b, const Body& before, Real dt)
 /// Energy that came in, and what became of it [J].
 struct Books {
 	Real elastic = 0, fracture = 0, friction = 0, dashpot = 0, area = 0;
-	Real first = 0;    ///< elastic energy at the start
-	Real work  = 0;    ///< done on the pair since
-	Real turned = 0;   ///< sum of its absolute values and of all energy booked
+	Real first         = 0; ///< elastic energy at the start
+	Real work          = 0; ///< done on the pair since
+	Real turned        = 0; ///< sum of its absolute values and of all energy booked
 	Real leastFracture = 0;
 
 	void add(const PairEnergy& e, Real done, bool atStart)
@@ -161,8 +161,8 @@ struct JointMover : Mover {
 		const Failures        now = jointLoads(joint, motion, &moving, springs.tanFriction, found, sum, booked ? &ledger : nullptr);
 		failures.tension += now.tension, failures.shear += now.shear, failures.compression += now.compression;
 		for (int s = 0; s < 2; ++s) {
-			const Body& b = s ? second : first;
-			loads[s]      = Loads(b.cells);
+			const Body& b  = s ? second : first;
+			loads[s]       = Loads(b.cells);
 			loads[s].force = found.forceOn(s), loads[s].torque = found.torque[s];
 			addNodalForces(joint, found, s, b.placement.rotation, loads[s].nodal.data());
 		}
@@ -223,7 +223,7 @@ TEST(JointLedgerTest, opening_and_sliding_of_a_joint_that_holds_close_to_round_o
 	p.step();
 	EXPECT_NEAR(p.books.elastic, 0, roundOff * p.k().normal * bed * micro * micro);
 	for (int i = 0; i < 20; ++i) {
-		const Vector3r d          = micro * random.vector(1);
+		const Vector3r d            = micro * random.vector(1);
 		p.second.placement.position = Vector3r(0, 0, edge) + d;
 		p.step();
 		const Real U = bed / 2 * (p.k().normal * d[2] * d[2] + p.k().shear * d.head<2>().squaredNorm());
@@ -233,15 +233,14 @@ TEST(JointLedgerTest, opening_and_sliding_of_a_joint_that_holds_close_to_round_o
 	EXPECT_EQ(p.books.fracture + p.books.friction + p.books.dashpot + p.books.area, 0);
 }
 
-TEST(JointLedgerTest, energy_of_a_joint_that_holds_is_the_same_however_it_is_kept)
+TEST(JointLedgerTest, energy_of_two_patches_is_that_of_the_joint)
 {
 	JointMover p = JointMover::english(2, unbreakable());
 	p.follow(10, [](Body& first, Body& second, Real t) {
 		first.surface[3] += micro * t * Vector3r(1, -1, 2);
 		second.move(1e-5 * t * Vector3r(1, 2, -1), micro * t * Vector3r(1, 1, 1), { 0, 0, .1 });
-		EXPECT_TRUE(first.deformable);
 	});
-	EXPECT_EQ(p.joint.shape->patches.size(), 2u);
+	ASSERT_EQ(p.joint.shape->patches.size(), 2u);
 	EXPECT_NEAR(p.books.elastic, jointEnergy(p.joint, pairs::motionOf(p.joint, p.first, p.second), 0), roundOff * p.books.elastic);
 	EXPECT_GT(p.books.elastic, 0);
 }
@@ -249,19 +248,22 @@ TEST(JointLedgerTest, energy_of_a_joint_that_holds_is_the_same_however_it_is_kep
 TEST(JointLedgerTest, bending_twisting_and_deformation_close_with_the_square_of_the_step)
 {
 	for (int cells : { 1, 2 }) {
-		const auto missing = missingByStep([&] { return JointMover::english(cells, unbreakable()); }, 8, [&](Body& first, Body& second, Real t) {
-			for (int s = 0; s < 2; ++s) {
-				Body&      b = s ? second : first;
-				const Real a = micro * std::sin(3 * t + s);
-				for (int n = 0; n < nodeCount; ++n)
-					b.displacement[n] += a * Vector3r(std::sin(n + s), std::cos(2 * n), std::sin(3 * n - s));
-				for (std::size_t n = 0; n < b.surface.size(); ++n)
-					b.surface[n] += a * Vector3r(std::sin(n + s), std::cos(2 * n), std::sin(3 * n - s));
-			}
-			second.move(1e-4 * t * Vector3r(1, 2 * t, -1), micro * t * Vector3r(1, 1 - 3 * t, 1), { .05, 0, .1 });
-			const Vector3r turn(.5 * t, -.3 * t * t, .4 * std::sin(2 * t)); // both as a whole
-			first.move(turn, { 1, -2, .5 }), second.move(turn, { 1, -2, .5 });
-		});
+		const auto missing = missingByStep(
+		        [&] { return JointMover::english(cells, unbreakable()); },
+		        8,
+		        [&](Body& first, Body& second, Real t) {
+			        for (int s = 0; s < 2; ++s) {
+				        Body&      b = s ? second : first;
+				        const Real a = micro * std::sin(3 * t + s);
+				        for (int n = 0; n < nodeCount; ++n)
+					        b.displacement[n] += a * Vector3r(std::sin(n + s), std::cos(2 * n), std::sin(3 * n - s));
+				        for (std::size_t n = 0; n < b.surface.size(); ++n)
+					        b.surface[n] += a * Vector3r(std::sin(n + s), std::cos(2 * n), std::sin(3 * n - s));
+			        }
+			        second.move(1e-4 * t * Vector3r(1, 2 * t, -1), micro * t * Vector3r(1, 1 - 3 * t, 1), { .05, 0, .1 });
+			        const Vector3r turn(.5 * t, -.3 * t * t, .4 * std::sin(2 * t)); // both as a whole
+			        first.move(turn, { 1, -2, .5 }), second.move(turn, { 1, -2, .5 });
+		        });
 		// the next order, which is a tenth of it with eight steps, halves from one to the next
 		EXPECT_NEAR(missing[0] / missing[1], 4, .4) << cells;
 		EXPECT_NEAR(missing[1] / missing[2], 4, .2) << cells;
@@ -281,7 +283,7 @@ TEST(JointLedgerTest, failure_in_each_mode_closes_to_round_off_and_never_gives_e
 	                       Case { { 1e30, tau, .6, 1e30, 9 }, { 9, -6, -2 }, &Failures::shear },
 	                       Case { { 1e30, 1e30, .6, k, 9 }, { 9, 3, -3 }, &Failures::compression } })
 		for (int count : { 2, 7, 40 }) {
-			JointMover p = JointMover::stacked(c.strength);
+			JointMover p          = JointMover::stacked(c.strength);
 			p.springs.tanFriction = c.strength.tanFriction;
 			p.step();
 			p.shift(micro * c.shift, count);
@@ -327,7 +329,7 @@ TEST(JointLedgerTest, friction_is_slip_times_limit)
 	p.breakAll();
 	p.second.placement.position[2] -= micro;
 	p.step();
-	const Real limit = pairs::friction * p.k().normal * micro, stick = limit / p.k().shear;
+	const Real     limit = pairs::friction * p.k().normal * micro, stick = limit / p.k().shear;
 	const Vector3r along(.6, -.8, 0);
 	p.shift(stick * along, 10); // until it slides
 	EXPECT_NEAR(p.books.friction, 0, roundOff * p.books.turned);
@@ -458,7 +460,7 @@ TEST(ContactLedgerTest, friction_of_a_constant_area_is_slip_times_limit)
 
 TEST(ContactLedgerTest, dashpots_take_what_they_brake)
 {
-	ContactMover p = ContactMover::onSlab(micro);
+	ContactMover p          = ContactMover::onSlab(micro);
 	p.springs.normalDamping = p.springs.shearDamping = .05;
 	p.step();
 	const Real speed = .1 * micro / p.dt;
@@ -483,7 +485,7 @@ TEST(ContactLedgerTest, dashpots_take_what_they_brake)
 
 TEST(ContactLedgerTest, area_that_changes_is_closed_by_its_own_entry)
 {
-	for (const Vector3r& path : { Vector3r(.02, .03, 0), Vector3r(-.01, .03, 0) })
+	for (const Vector3r& path : { Vector3r(.02, .03, 0), Vector3r(-.01, .03, 0) }) // within a segment: no spot leaves
 		for (int count : { 3, 60 }) {
 			ContactMover p = ContactMover::stacked(micro);
 			p.step();
@@ -511,10 +513,10 @@ TEST(ContactLedgerTest, spot_that_leaves_takes_its_shear_along)
 
 TEST(ContactLedgerTest, shear_of_spots_that_leave_is_missed_for_half_a_step)
 {
-	// The end of a segment is passed in the middle of the seventh part of the path, whatever the step: until then the strip that leaves has half a step's area,
-	// and sliding friction works on it for half a step, since it is not there at its end.
+	// The end of a segment is passed after .055 m, in the middle of a step whatever the step: the strip that leaves then is half a step wide, and sliding friction
+	// works on it for half a step, since it is not there at its end.
 	for (int count : { 10, 30, 90 }) {
-		ContactMover p = ContactMover::stacked(micro);
+		ContactMover p                 = ContactMover::stacked(micro);
 		p.second.placement.position[0] = -.005;
 		p.step();
 		const Real before = p.area, step = .1 / count, limit = pairs::friction * p.k().normal * micro;
@@ -529,7 +531,7 @@ TEST(ContactLedgerTest, rocking_closes_with_the_square_of_the_step)
 	for (bool slab : { true, false }) {
 		const auto missing = missingByStep(
 		        [&] {
-			        auto p = slab ? ContactMover::onSlab(0) : ContactMover::stacked(0);
+			        auto p                = slab ? ContactMover::onSlab(0) : ContactMover::stacked(0);
 			        p.springs.tanFriction = 0;
 			        return p;
 		        },
