@@ -134,3 +134,59 @@ TEST(ClippedPolygonTest, parts_on_both_sides_of_any_cuts_sum_to_the_whole)
 			EXPECT_NEAR(moments[5], 1.5, roundOff); // 2 x + y
 		}
 }
+
+namespace {
+
+/// Where a pressure acts that grows from nothing at x = level, from the part of a polygon beyond.
+Vector2r pressed(Polygon p)
+{
+	Vertex centre;
+	p.areaAndCentroid(centre);
+	p.pressedCentroid(3, centre);
+	return centre.head<2>();
+}
+
+} // namespace
+
+TEST(ClippedPolygonTest, wedge_of_pressure_acts_at_two_thirds)
+{
+	// depth 1 - x over the square: a wedge along x
+	EXPECT_LT((pressed(square(1)) - Vector2r(1. / 3, .5)).norm(), roundOff);
+	// depth 3 - x: a block of 2 and a wedge of 1
+	EXPECT_LT((pressed(square(3)) - Vector2r((2 * .5 + .5 / 3) / 2.5, .5)).norm(), roundOff);
+	// cut where it ends: a wedge over the part
+	Polygon part = square(.4);
+	part.keepNegative(3);
+	EXPECT_LT((pressed(part) - Vector2r(.4 / 3, .5)).norm(), roundOff);
+}
+
+TEST(ClippedPolygonTest, pressure_on_a_triangle_acts_where_its_closed_form_says)
+{
+	// depths a, b, c at the corners (0,0), (1,0), (0,1): place = sum of the corners weighted with (their depth + all) / 4 all
+	for (const auto& depth : { Vector3r(1, 1, 1), Vector3r(1, 0, 0), Vector3r(0, 1, 0), Vector3r(2, 1, 5) }) {
+		const auto in = [&](Real x, Real y) {
+			Vertex v = at(x, y, 0);
+			v[3]     = -(depth[0] + x * (depth[1] - depth[0]) + y * (depth[2] - depth[0]));
+			v[4]     = x + y - 1;
+			return v;
+		};
+		Polygon triangle(in(0, 0), in(1, 0), in(1, 1), in(0, 1));
+		triangle.keepNegative(4);
+		const Real all = depth.sum();
+		EXPECT_LT((pressed(triangle) - Vector2r(depth[1] + all, depth[2] + all) / (4 * all)).norm(), roundOff) << depth.transpose();
+	}
+	// on an uncut square the same by halves: depth 1 - x + y / 2
+	const auto in = [](Real x, Real y) {
+		Vertex v = at(x, y, 0);
+		v[3]     = -(1 - x + y / 2);
+		return v;
+	};
+	// integrals over the square: 3/4, x: 1/6 + 1/8, y: 1/4 + 1/6
+	EXPECT_LT((pressed(Polygon(in(0, 0), in(1, 0), in(1, 1), in(0, 1))) - Vector2r((1. / 6 + 1. / 8) / .75, (1. / 4 + 1. / 6) / .75)).norm(), roundOff);
+}
+
+TEST(ClippedPolygonTest, without_pressure_the_centroid_stays)
+{
+	EXPECT_EQ(pressed(square(-.5)), Vector2r(.5, .5)); // nothing is beyond
+	EXPECT_EQ(pressed(square(.5)), Vector2r(.5, .5));  // as much pulls as presses
+}

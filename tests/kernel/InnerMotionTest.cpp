@@ -188,3 +188,98 @@ TEST(AdvanceModes, is_bitwise_what_each_mode_does_whatever_the_instruction_set)
 				}
 			}
 }
+
+namespace {
+
+/// Modes that are moved by loads as they please, and their energy at a step.
+struct LoadedModes {
+	std::vector<Real> omegaSquared, amplitude, rate, load;
+	Real              zeta, localDamping, dt;
+	ModeEnergy        energy;
+
+	LoadedModes(const std::vector<Real>& phases, Real zeta, Real localDamping, Real dt)
+	        : zeta(zeta)
+	        , localDamping(localDamping)
+	        , dt(dt)
+	{
+		for (Real phase : phases) {
+			omegaSquared.push_back(phase * phase / (dt * dt));
+			amplitude.push_back(1e-3), rate.push_back(.2e-3 / dt), load.push_back(0);
+		}
+	}
+	/// To the next step. @return work of the loads, the mean of those of both ends, on the way @param loadAt of a mode at a step
+	template <class Load> Real step(int number, Load loadAt)
+	{
+		const auto before = amplitude, loadBefore = load;
+		Real       work = 0;
+		if (number > 0) advance();
+		for (std::size_t k = 0; k < load.size(); ++k) {
+			load[k] = loadAt(int(k), number);
+			work += (loadBefore[k] + load[k]) / 2 * (amplitude[k] - before[k]);
+		}
+		auto rateAfter = rate, next = amplitude;
+		advanceModes(omegaSquared, load.data(), zeta, localDamping, dt, next.data(), rateAfter.data());
+		energy = modeEnergy(omegaSquared, load.data(), amplitude.data(), rate.data(), rateAfter.data(), zeta, localDamping, dt);
+		return work;
+	}
+
+private:
+	void advance() { advanceModes(omegaSquared, load.data(), zeta, localDamping, dt, amplitude.data(), rate.data()); }
+};
+
+} // namespace
+
+TEST(ModeEnergy, changes_by_the_work_of_loads_and_of_damping_alone)
+{
+	for (const Real dt : { 1e-5, 1. })
+		for (const Real zeta : { 0., .05, 1. })
+			for (const Real localDamping : { 0., .3 }) {
+				LoadedModes m({ 0, .01, .5, 2, 10 }, zeta, localDamping, dt);
+				Real        last = 0, late = 0, turned = 0, x = .3;
+				for (int i = 0; i < 300; ++i) {
+					// chaotic, of the size of the stiffness of the third mode
+					const Real work = m.step(i, [&](int, int) { return 1e-3 * ((x = 3.7 * x * (1 - x)) - .5) / (dt * dt); });
+					const Real all  = m.energy.kinetic + m.energy.elastic;
+					turned          = std::max(turned, std::abs(all) + std::abs(work) + std::abs(m.energy.kinetic) + m.energy.elastic);
+					if (i > 0) {
+						// sums of some thirty numbers of this size
+						ASSERT_NEAR(all - last, work - late - m.energy.dampedBefore, 1e-14 * 30 * turned)
+						        << i << " " << zeta << " " << localDamping;
+					}
+					last = all, late = m.energy.dampedAfter;
+					EXPECT_TRUE(zeta + localDamping > 0 || (late == 0 && m.energy.dampedBefore == 0));
+				}
+			}
+}
+
+TEST(ModeEnergy, of_free_vibration_stays)
+{
+	for (const Real phase : { .01, 1., 10., 1000. }) {
+		LoadedModes m({ phase }, 0, 0, 1e-3);
+		const auto  none = [](int, int) { return 0.; };
+		m.step(0, none);
+		const Real first = m.energy.kinetic + m.energy.elastic;
+		EXPECT_GT(first, 0);
+		for (int i = 1; i < 10000; ++i) {
+			m.step(i, none);
+			// 1e4 roundings, added up at the worst: 1e-12; the two parts, of which kinetic may be negative, are up to phase^2/4 times their sum
+			ASSERT_NEAR((m.energy.kinetic + m.energy.elastic) / first, 1, 1e-12 * (1 + phase * phase / 4)) << phase << " " << i;
+		}
+	}
+}
+
+TEST(ModeEnergy, is_that_of_the_oscillator_in_the_limit_of_small_steps)
+{
+	// closed form of amplitude 1: omega^2 / 2; midway between rest and the greatest speed both parts have half
+	for (int steps : { 100, 200 }) {
+		const Real  omega = 7, dt = M_PI / 4 / omega / steps;
+		LoadedModes m({ omega * dt }, 0, 0, dt);
+		m.amplitude = { 1 }, m.rate = { dt / 2 * omega * omega };
+		const auto none = [](int, int) { return 0.; };
+		for (int i = 0; i <= steps; ++i)
+			m.step(i, none);
+		const Real half = omega * omega / 4;
+		EXPECT_NEAR(m.energy.elastic, half, half * omega * dt * omega * dt); // second order
+		EXPECT_NEAR(m.energy.kinetic, half, half * omega * dt * omega * dt);
+	}
+}
