@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# What the hard cases share, on top of the verification cases: conserved quantities of a scene, and supports that move or shut a scene in.
+# What the hard cases share, on top of the verification cases: conserved quantities of a scene, and the ledger of its energy.
 # GROUP of a module is the title of its case; its rows say what is measured and what is allowed.
 import os, sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'verification'))
 from cases import *
-from yade_brick import rest
 
 
 def bricks():
@@ -37,41 +36,37 @@ def limit():
 	return engine(BrickTimeStepper).limit
 
 
-def mechanicalEnergy(gravity=GRAVITY):
-	"""Kinetic energy (half a step before), energy of all springs and deformation, and that of the heights of what moves [J]; after at least one step."""
-	kinetic, elastic = rest.energies([b.shape for b in bricks()])
-	return kinetic + elastic + gravity * sum(b.state.mass * b.state.pos[2] for b in moving())
-
-
 def steps(count):
 	"""Few steps one by one: O.run looks only every 40 ms whether it has come to its end."""
 	for _ in range(count):
 		O.step()
 
 
-class Energy:
-	"""Mechanical energy to second order in the step: all of its parts at the same time, kinetic energy as the mean of the half steps before and after."""
+def mechanicalEnergy():
+	"""What can still become motion, of the ledger [J]: kinetic energy, that of springs and deformation, and of heights since tracking began."""
+	return sum(O.energy[name] for name in ('kinetic', 'elastPotential', 'deformKinetic', 'deformElastic', 'gravWork') if name in O.energy.keys())
 
-	def __init__(self, gravity=GRAVITY):
-		self.gravity, self.shapes = gravity, [b.shape for b in bricks()]
 
-	def _parts(self):
-		"""Kinetic, of rigid motion and deformation; of deformation; of the heights of what moves [J]."""
-		kinetic = utils.kineticEnergy() + sum(s.kineticEnergy() for s in self.shapes)
-		height = self.gravity * sum(b.state.mass * b.state.pos[2] for b in moving()) if self.gravity else 0
-		return kinetic, sum(s.elasticEnergy() for s in self.shapes), height
+class Ledger:
+	"""O.energy from now on: its total stays, but for what steps make or lose. At most one in a scene."""
 
-	def step(self):
-		"""Makes a step; energy at its beginning [J], with that of joints and contacts."""
-		before, deformed, height = self._parts()
-		O.step()
-		springs = sum(i.phys.elasticEnergy(i.geom) for i in O.interactions.all(onlyReal=True))
-		return (before + self._parts()[0]) / 2 + deformed + height + springs
+	def __init__(self):
+		O.trackEnergy = True
+		steps(2)  # kinetic energy of whole steps needs the forces of the step before
+		self.start, self.lowest, self.highest = O.energy.total(), 0., 0.
 
-	def mean(self, count, every=1):
-		"""Over `count` values, taken every so many steps."""
-		total = 0
-		for _ in range(count):
-			total += self.step()
-			steps(every - 1)
-		return total / count
+	def drift(self):
+		"""Made since the beginning [J]; less than zero: lost."""
+		made = O.energy.total() - self.start
+		self.lowest, self.highest = min(self.lowest, made), max(self.highest, made)
+		return made
+
+	def run(self, count, every=1):
+		"""So many steps, looking now and then; the largest drift of all looks, made or lost [J]."""
+		for _ in range(count // every):
+			steps(every)
+			self.drift()
+		return self.largest()
+
+	def largest(self):
+		return max(self.highest, -self.lowest)

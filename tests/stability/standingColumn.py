@@ -7,6 +7,7 @@
 import numpy as np
 
 from hardCase import *
+from yade_brick import rest
 
 SIDE, COUNT, THIN = .2, 50, 2e-3
 BAKED = 9.8e9  # Young's modulus [Pa]: of the paper's adobe such a column buckles under its weight, at 2.4 m

@@ -50,7 +50,7 @@ def heap():
 	ground(m)
 	for i in range(8):
 		turn = Quaternion(Vector3(1, .3 * i, -.2 * i * i % 3).normalized(), .7 * i)
-		place = (.16 * (i % 2), .13 * (i // 2 % 2), .25 + .22 * (i // 4))
+		place = (.34 * (i % 2), .34 * (i // 2 % 2), .25 + .34 * (i // 4))  # apart in any position
 		b = add((.3, .12, .08), center=place, orientation=turn, material=m, deformation=LEVELS[i % 4], contactThickness=.004)
 		b.state.vel = Vector3(0, 0, -3)
 		turning(b, Vector3(20 - 3 * i, 9, 2 * i))

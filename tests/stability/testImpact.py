@@ -5,8 +5,9 @@
 # - momentum and angular momentum stay, to round-off, at any step and speed;
 # - in short steps, without friction and dashpots, no energy is gained. What leap-frog adds when contact begins or ends between two steps is at most a share
 #   1/(1 - a/4) - 1, a = (omega dt)^2: between the steps in contact v^2 + omega^2 x(n) x(n+1) is constant, and x(n) x(n+1) lies between -(v dt)^2/4 and 0
-#   where one of them is outside. Off the symmetric positions, and where edges bulge, the areas change while the force acts at their middle: to 7 %,
-#   as documented;
+#   where one of them is outside. Left are strain, which small-strain elements neglect against 1, and two bodies' corners that meet askew: the line that divides a
+#   segment among the faces that dig in moves, and their footprints, each over its own cosine, do not meet there. That makes or loses up to 5 %, the same for any
+#   step and any number of segments; on the ground, and in symmetric positions, it is nothing;
 # - faces give back the speed that the dashpot of eq. (4) predicts, at every speed alike;
 # - in steps of BrickTimeStepper and with the dashpots as they are by default, energy falls on the average over where between two steps contact begins;
 # - a brick does not pass through another. A segment that is deeper in than it is far from the side of the other brick is nearest to that side and presses
@@ -24,8 +25,8 @@ TURNS = dict(
         oblique=Quaternion(Vector3(1, 2, .5).normalized(), .7)
 )
 WAYS = tuple(TURNS)
-LOOP = .07
-CHANGING = 'documented: the areas of a contact at edges change while its force acts at their middle, to 7 % of the work'
+LOOP = .05
+CHANGING = 'footprints of faces that dig in askew do not meet where a segment is divided among them: limit of the method, at any step'
 ROUND_OFF = 'round-off of some thousand steps'
 
 
@@ -58,15 +59,16 @@ class Impact(Case):
 		engines(gravity=(0, 0, 0))
 		O.step()
 		if fraction: stepByHand(fraction * limit())
-		b.state.pos = Vector3(0, 0, reach + phase * speed * O.dt)
+		b.state.pos = Vector3(0, 0, reach + (2 + phase) * speed * O.dt)  # two steps from now
 		b.state.vel = Vector3(sideways * speed, 0, -speed)
-		energy, before, turning = mechanicalEnergy(0), momentum(), angularMomentum()
+		ledger, before, turning = Ledger(), momentum(), angularMomentum()
+		energy = utils.kineticEnergy()
 		apart, longest = None, .02 * math.sqrt(YOUNG / young)
 		while apart is None or O.time - apart < longest:
 			O.step()
 			if any(i.isReal for i in O.interactions): apart = O.time
 			if O.iter > 1e5: self.fail('still in contact, or never')
-		self.energy = mechanicalEnergy(0) / energy
+		self.energy, self.drift = mechanicalEnergy() / energy, ledger.drift() / energy
 		other = O.bodies[0].state.vel[2]
 		self.back = (b.state.vel[2] - other) / speed
 		self.momentum = (momentum() - before).norm() / before.norm()
@@ -95,8 +97,16 @@ class Impact(Case):
 					self.collide(level, way, speed, fraction=.025)
 					name = '%s, %s, %g m/s: ' % (level, way, speed)
 					self.conserved(name)
-					if way == 'oblique' or level != 'rigid' and way != 'face': self.judge(name + 'energy after over before', self.energy, 1, LOOP, CHANGING)
-					else: self.judge(name + 'energy after over before', self.energy, 1, gain, reason)
+					strain = 0 if level == 'rigid' else speed / math.sqrt(STIFF / DENSITY)
+					if way == 'oblique': self.judge(name + 'energy after over before', self.energy, 1, LOOP, CHANGING)
+					else: self.judge(name + 'energy after over before', self.energy, 1, gain + strain, reason + '; strain, speed over wave speed')
+					self.judge(name + 'drift of the ledger less what was gained', self.drift - (self.energy - 1), 0, 1e-9, 'nothing is taken: the ledger shows it all')
+
+	def test_oblique_on_ground(self):
+		"""A rigid cube falls askew on the ground: one plane, nothing to be divided."""
+		for speed in (1, 50):
+			self.collide('rigid', 'oblique', speed, fraction=.025, onGround=True)
+			self.judge('%g m/s: energy after over before' % speed, self.energy, 1, 1 / (1 - .025**2) - 1, 'at most 1/(1 - a/4), a = (2/40)^2')
 
 	def test_energy_in_any_position(self):
 		"""The same for rigid and trilinear cubes that meet in positions all over the sphere, off the middle and from the side."""
@@ -111,7 +121,7 @@ class Impact(Case):
 			self.atMost(level + ': energy gained, most of 40 positions', max(energies) - 1, LOOP, CHANGING)
 			self.atMost(level + ': energy lost, most of 40 positions', 1 - min(energies), LOOP, CHANGING)
 			mean = sum(energies) / len(energies)
-			self.judge(level + ': energy after over before, mean of 40 positions', mean, 1, LOOP / 2, CHANGING + '; loss and gain alternate')
+			self.judge(level + ': energy after over before, mean of 40 positions', mean, 1, LOOP / 2, CHANGING + '; gain outweighs')
 
 	def test_steps_as_they_are(self):
 		"""Steps of BrickTimeStepper, eight phases of the step at which contact begins; with and without dashpots, and from the side at 45 degrees."""

@@ -3,7 +3,7 @@
 #
 # Criterion: MortarJoints finds each pair of faces that overlap once, and none that only meet at an edge or corner; the area is the overlap's to the round-off of
 # places over its width; a second call finds nothing. Dry bricks that just touch push nothing; pressed by d, they push kn d times the overlap (the exact integral),
-# and neighbours in the same plane add up to the whole face. Loaded, cracked and shaken, such a scene never gains energy.
+# and neighbours in the same plane add up to the whole face. Loaded, cracked and shaken, such a scene makes no energy: its ledger closes.
 import unittest
 
 from hardCase import *
@@ -64,6 +64,8 @@ SCENES = {
                 grid(2, 1, 2) + [((L / 2, L, 2 * L), (-.75 * L, 0, L / 2), None)], {**neighbours(2, 1, 2), (0, 4): L**2, (2, 4): L**2}
         ),
 }
+
+UNLIKE = ('a tie beside a corner',)  # scenes with a brick whose edges differ
 
 
 class FacesThatMeet(Case):
@@ -131,40 +133,29 @@ class FacesThatMeet(Case):
 					continue
 				self.judge(label + 'force upwards [N]', got[2], spring * deep * below, 16 * EPS * 3 * edge / deep, 'the exact integral; round-off of places over d')
 
-	def rise(self, name, level, **options):
-		"""Largest rise of the energy over its least value before, in units of that of the blow; the lowest bricks are held."""
+	def drift(self, name, level):
+		"""Largest drift of the energy in units of that of the blow; the lowest bricks are held."""
 		weak = dict(tensileStrength=2e3, cohesion=2e3, frictionAngle=FRICTION, compressiveStrength=5e5)
 		made, _ = self.build(name, level, strength=weak)
 		lowest = min(b.state.pos[2] for b in made)
 		for b in made:
 			if b.state.pos[2] < lowest + 1e-9: b.dynamic = False
-			for option, value in options.items(): setattr(b.shape, option, value)
 		MortarJoints()()
 		engines()
 		O.step()
 		stepByHand(.2 * limit())
 		for b in moving(): b.state.vel = Vector3(.8, .5, 0) * ((b.state.pos[2] - lowest) / L)
-		blow, energy = sum(b.state.mass * b.state.vel.squaredNorm() for b in moving()) / 2, Energy()
-		least, most = math.inf, 0.
-		for _ in range(2000):
-			value = energy.step()
-			least = min(least, value)
-			most = max(most, value - least)
-		return most / blow
+		blow = sum(b.state.mass * b.state.vel.squaredNorm() for b in moving()) / 2
+		return Ledger().run(2000) / blow
 
 	def test_loaded_and_shaken(self):
-		"""Each scene, its lowest bricks held, in mortar that fails, is loaded by gravity and struck sideways (0.9 m/s at the top of two courses): energy only falls."""
+		"""Each scene, its lowest bricks held, in mortar that fails, is loaded by gravity and struck sideways (0.9 m/s at the top of two courses): the ledger closes."""
 		for name, (layout, joints) in SCENES.items():
 			if len(joints) == 0: continue
 			for level in LEVELS:
-				allowed, reason = .01, '(w dt)^2 / 4 of the energy read, w dt = 0.2'
-				# soft contact, half a brick long, is deep on edges
-				if level == 'rigid': allowed, reason = .07, 'documented: the work of contact on edges is not conserved exactly, to 7 %; see below for segments'
-				self.atMost('%s, %s: largest rise of energy over that of the blow' % (name, level), self.rise(name, level), allowed, reason)
-
-	def test_rise_falls_with_segments(self):
-		"""What a rigid brick gains that rocks on another after the joint has failed: it is the segments', not the joint's."""
-		for name in ('turned by 45 degrees in the plane', 'turned by 90 degrees in the plane'):
-			coarse, fine = self.rise(name, 'rigid', segments=4), self.rise(name, 'rigid', segments=16)
-			reason = 'areas change while forces act at their middle: less with smaller ones'
-			self.atMost(name + ': rise with 16 segments along an edge over that with 4', fine / coarse, .5, reason)
+				reason = '(w dt)^2 / 4 where segments open, close or fail within a step, w dt = 0.2'
+				allowed = .01
+				# soft contact, half a brick long, is deep on edges; the same at a quarter of the step and with four times the segments
+				if level == 'rigid': allowed, reason = .02, reason + '; footprints of faces that dig in askew do not meet (see testImpact.py)'
+				if level == 'rigid' and name in UNLIKE: allowed, reason = .06, reason + '; edges of 1:2:4, so springs that differ from face to face'
+				self.atMost('%s, %s: largest drift of energy over that of the blow' % (name, level), self.drift(name, level), allowed, reason)
