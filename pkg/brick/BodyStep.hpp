@@ -11,7 +11,7 @@ struct BodyStep {
 	bool     any        = false; // some joint or contact acts on the body
 	bool     released   = false; // a brick that its joints hold apart from others no more
 	Real     power      = 0;     // of force and torque with the velocities of half a step before [W]
-	Real     work       = 0;     // that the kinetic energy of half a step ago came from: of the step before, on the deformation of this one [J]
+	Real     work       = 0;     // what the present velocities came from: of the step before, on the deformation of this one [J]
 	Real     gained     = 0;     // work since the guard's window has begun [J]
 };
 

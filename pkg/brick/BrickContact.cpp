@@ -376,6 +376,9 @@ namespace {
 		geom.contact->sides = { side0, side1 };
 		brick::findContact(side0, side1, geom.contact->spots); // for those who read energy and stiffness in this step
 		phys.joint = brick::Joint();
+		if (!phys.ledger) return;
+		phys.ledger->contact.begin(phys.ledger->energy, side0, side1, geom.contact->spots, phys.contact->springs, phys.contact->memory);
+		phys.ledger->energy = phys.ledger->contact.energy;
 	}
 
 } // namespace

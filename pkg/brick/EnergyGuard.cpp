@@ -57,14 +57,14 @@ void EnergyGuard::begin(Scene& scene)
 	held   = elasticEnergy(scene);
 	moving = kineticEnergy(scene);
 	least  = energyOfSmallestStrain(scene);
-	work   = 0;
+	work = given = 0;
 }
 
 bool EnergyGuard::isTooMuch(const Scene& scene) const
 {
 	if (!(work > held + room * (held + moving) + least)) return false;
-	const Real outside = kineticEnergy(scene) - moving - work; // gravity, ground, supports that move
-	return work > held + room * (held + moving + std::abs(outside)) + least;
+	const Real outside = given + coming + std::abs(kineticEnergy(scene) - moving - work); // supports that move; gravity, ground
+	return work > held + room * (held + moving + outside) + least;
 }
 
 std::optional<EnergyGuard::Gain> EnergyGuard::add(const Scene& scene, std::vector<BodyStep>& steps)
@@ -74,6 +74,12 @@ std::optional<EnergyGuard::Gain> EnergyGuard::add(const Scene& scene, std::vecto
 	for (auto& s : steps) {
 		work += begins ? 0 : s.work;
 		s.gained = begins ? 0 : s.gained + s.work;
+	}
+	coming = 0;
+	for (std::size_t id = 0; id < steps.size() && !begins; ++id) {
+		const auto& b = (*scene.bodies)[id];
+		if (!b || b->isDynamic()) continue;
+		given += std::abs(steps[id].work), coming += std::abs(steps[id].power) * scene.dt;
 	}
 	if (!isTooMuch(scene)) return {};
 	const auto most = std::max_element(steps.begin(), steps.end(), [](const BodyStep& a, const BodyStep& b) { return a.gained < b.gained; });

@@ -36,6 +36,7 @@ private:
 	Real held = 0, moving = 0;  // elastic and kinetic energy at its beginning [J]
 	Real least = 0;             // not worth an alarm [J]
 	Real work  = 0;             // since then [J]
+	Real given = 0, coming = 0; // by bodies that forces do not move, since then and in this step: deformation feels it before it is counted [J]
 
 	bool isTooMuch(const Scene&) const;
 };

@@ -87,14 +87,18 @@ public:
 	}
 
 private:
-	/// The triangles about the mean of the vertices, with their areas.
+	/// The triangles about the middle of the outline, with their areas. (The mean of the vertices would jump where round-off makes one vertex two.)
 	template <class Use> void forEachTriangle(Use use) const
 	{
 		if (empty()) return;
 		Vertex mean = Vertex::Zero();
-		for (int i = 0; i < outline.count; ++i)
-			mean += vertices[outline.order[i]];
-		mean /= outline.count;
+		Real   around = 0;
+		for (int i = 0; i < outline.count; ++i) {
+			const Vertex &b = vertices[outline.order[i]], &c = vertices[outline.order[i + 1 < outline.count ? i + 1 : 0]];
+			const Real    length = (c - b).template head<3>().norm();
+			mean += length / 2 * (b + c), around += length;
+		}
+		if (around > 0) mean /= around;
 		for (int i = 0; i < outline.count; ++i) {
 			const Vertex &b = vertices[outline.order[i]], &c = vertices[outline.order[i + 1 < outline.count ? i + 1 : 0]];
 			use(mean, b, c, (b - mean).template head<3>().cross((c - mean).template head<3>()).norm() / 2);

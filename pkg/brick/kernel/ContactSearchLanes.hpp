@@ -686,28 +686,36 @@ private:
 
 	PolygonVertex vertex[vertices], mean, before; ///< `before`: the last vertex, which comes before the first
 	Mask          present[vertices];
-	Lanes         triangle[vertices]; ///< area: the mean, the present vertex before and this one; none where this one is not present
+	Lanes         triangle[vertices]; ///< area: the middle, the present vertex before and this one; none where this one is not present
 
+	/// The middle of the outline: the mean of the vertices would jump where round-off makes one vertex two.
 	BRICK_INLINE void findMean()
 	{
-		Lanes number {};
-		for (int i = 0; i < 4; ++i)
-			mean.weight[i] = before.weight[i] = Lanes {};
-		for (int i = 0; i < 3; ++i)
-			mean.place[i] = before.place[i] = Lanes {};
-		for (int v = 0; v < vertices; ++v) {
-			const Lanes one = present[v] ? allLanes(1.) : Lanes {};
-			number += one;
-			for (int i = 0; i < 4; ++i)
-				mean.weight[i] += one * vertex[v].weight[i];
-			for (int i = 0; i < 3; ++i)
-				mean.place[i] += one * vertex[v].place[i];
+		for (auto& w : before.weight)
+			w = Lanes {};
+		for (auto& p : before.place)
+			p = Lanes {};
+		for (int v = 0; v < vertices; ++v)
 			before.replace(present[v], vertex[v]);
+		mean = PolygonVertex {};
+		Lanes         around {};
+		PolygonVertex last = before;
+		for (int v = 0; v < vertices; ++v) {
+			Lanes side[3];
+			for (int i = 0; i < 3; ++i)
+				side[i] = vertex[v].place[i] - last.place[i];
+			const Lanes length = present[v] ? root(side[0] * side[0] + side[1] * side[1] + side[2] * side[2]) : Lanes {};
+			around += length;
+			for (int i = 0; i < 4; ++i)
+				mean.weight[i] += length / 2 * (last.weight[i] + vertex[v].weight[i]);
+			for (int i = 0; i < 3; ++i)
+				mean.place[i] += length / 2 * (last.place[i] + vertex[v].place[i]);
+			last.replace(present[v], vertex[v]);
 		}
 		for (auto& w : mean.weight)
-			w /= number;
+			w /= around;
 		for (auto& p : mean.place)
-			p /= number;
+			p /= around;
 	}
 	BRICK_INLINE void findTriangles()
 	{

@@ -142,6 +142,21 @@ namespace {
 
 } // namespace
 
+void ContactLedger::begin(
+        const PairEnergy& ofJoint, const Side& side0, const Side& side1, const std::vector<ContactSpot>& spots, const PairSprings& pair, const ContactMemory& memory)
+{
+	energy         = ofJoint;
+	energy.elastic = contactEnergy(side0, side1, spots, pair, memory);
+	energy.area += ofJoint.elastic - energy.elastic;
+	last.clear();
+	for (const ContactSpot& spot : spots) {
+		const auto found = std::lower_bound(memory.keys.begin(), memory.keys.end(), spot.key);
+		if (found == memory.keys.end() || *found != spot.key) continue;
+		const Vector3r& traction = memory.tractions[found - memory.keys.begin()];
+		last.push_back({ spot.key, spot.area, spot.area / 2 * traction.squaredNorm() / springsOf(spot, side0, side1, pair).shear, traction, Vector3r::Zero() });
+	}
+}
+
 void ContactLedger::add(const Side& side0, const Side& side1, const std::vector<ContactSpot>& spots, const PairSprings& pair, Real dt, const ContactMemory& memory)
 {
 	energy = {};

@@ -47,6 +47,8 @@ class ContactLedger {
 public:
 	PairEnergy energy; ///< of the last step
 
+	/// Begins where a joint ends: what contact holds more than the joint did is energy from nothing, booked as area. The joint's energy becomes this one's.
+	void begin(const PairEnergy& ofJoint, const Side& side0, const Side& side1, const std::vector<ContactSpot>&, const PairSprings&, const ContactMemory& memory);
 	/// @param memory tractions in this step
 	void add(const Side& side0, const Side& side1, const std::vector<ContactSpot>&, const PairSprings&, Real dt, const ContactMemory& memory);
 
