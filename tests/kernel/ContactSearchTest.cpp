@@ -144,7 +144,10 @@ private:
 		Polygon::Vertex centre;
 		int             nearest;
 		const Real      area        = part.areaAndCentroid(centre);
-		const Real      penetration = -fields(centre[3], centre[4]).tail<faceCount>().maxCoeff(&nearest);
+		const auto      there       = fields(centre[3], centre[4]);
+		const Real highest = (expected >= 0 ? centre : there).tail<faceCount>().maxCoeff(&nearest);
+		if (expected >= 0 && centre[heightEntry + expected] >= highest - 1e-9 * std::abs(highest)) nearest = expected; // not given up for one as near
+		const Real penetration = -there[heightEntry + nearest];
 		if (!(area > 0) || !(penetration > 0) || cosine(nearest) <= 0 || (expected >= 0 && expected != nearest)) return;
 		ContactSpot spot;
 		spot.key   = contactKey(ownerIndex, face, nearest, segment);

@@ -42,7 +42,7 @@ public:
 		keep([entry, other](const Vertex& v) { return v[other] - v[entry]; });
 	}
 
-	/// Area [m2], and the values at the centroid. By triangles about the mean of the vertices, so that of values that are not quite linear no vertex counts more
+	/// Area [m2], and the values at the centroid. By triangles about the middle of the outline, so that of values that are not quite linear no vertex counts more
 	/// for standing first.
 	Real areaAndCentroid(Vertex& centroid) const
 	{
@@ -91,17 +91,17 @@ private:
 	template <class Use> void forEachTriangle(Use use) const
 	{
 		if (empty()) return;
-		Vertex mean = Vertex::Zero();
+		Vertex middle = Vertex::Zero();
 		Real   around = 0;
 		for (int i = 0; i < outline.count; ++i) {
 			const Vertex &b = vertices[outline.order[i]], &c = vertices[outline.order[i + 1 < outline.count ? i + 1 : 0]];
 			const Real    length = (c - b).template head<3>().norm();
-			mean += length / 2 * (b + c), around += length;
+			middle += length / 2 * (b + c), around += length;
 		}
-		if (around > 0) mean /= around;
+		if (around > 0) middle /= around;
 		for (int i = 0; i < outline.count; ++i) {
 			const Vertex &b = vertices[outline.order[i]], &c = vertices[outline.order[i + 1 < outline.count ? i + 1 : 0]];
-			use(mean, b, c, (b - mean).template head<3>().cross((c - mean).template head<3>()).norm() / 2);
+			use(middle, b, c, (b - middle).template head<3>().cross((c - middle).template head<3>()).norm() / 2);
 		}
 	}
 

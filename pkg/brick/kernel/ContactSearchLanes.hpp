@@ -467,7 +467,8 @@ public:
 	}
 
 private:
-	static constexpr int naturalEntry = 3, heightEntry = 5, anyFace = -1; ///< of a vertex
+	static constexpr int  naturalEntry = 3, heightEntry = 5, anyFace = -1; ///< of a vertex
+	static constexpr Real tie = 1e-9; ///< relative: a part's own face is not given up for one as near
 
 	template <int dimensions> void addSpotsOf(std::vector<ContactSpot>& spots) const
 	{
@@ -509,9 +510,11 @@ private:
 		if (!(area > 0)) return;
 		Lanes x[3], heights[faceCount];
 		fieldsAt(pair, allLanes(centre[naturalEntry]), allLanes(centre[naturalEntry + 1]), x, heights);
-		int nearest = 0;
-		for (int i = 1; i < count; ++i)
-			if (heights[which[i]][0] > heights[which[nearest]][0]) nearest = i;
+		// of a part, by what it was cut by
+		const auto height  = [&](int i) { return expected == anyFace ? heights[which[i]][0] : centre[heightEntry + i]; };
+		int        nearest = std::max(expected, 0);
+		for (int i = 0; i < count; ++i)
+			if (height(i) > height(nearest) + (expected == anyFace ? 0 : tie * std::abs(height(nearest)))) nearest = i;
 		const Real penetration = -heights[which[nearest]][0];
 		const int  otherFace   = pair.faces[which[nearest]];
 		if (!(penetration > 0) || pair.cosine[otherFace] <= 0) return;
@@ -565,7 +568,7 @@ struct EightSegments {
 	}
 };
 
-/// The part of a segment in contact, as triangles about the mean of its vertices (as ClippedPolygon has them): a point is told by weights of the segment's corners.
+/// The part of a segment in contact, as triangles about the middle of its outline (as ClippedPolygon has them): a point is told by weights of the segment's corners.
 struct Part {
 	Lanes weight[4], area; ///< at the centroid
 };
@@ -583,38 +586,45 @@ BRICK_INLINE Lanes spanned(const Lanes (&u)[3], const Lanes (&v)[3])
 }
 
 struct WholePart : Part {
-	Lanes triangle[4]; ///< areas: the mean, a corner and the next
+	Lanes triangle[4]; ///< areas: the middle, a corner and the next
+	Lanes middle[4];   ///< weights of the middle
 
 	BRICK_INLINE explicit WholePart(const EightSegments& segments)
 	{
-		Lanes spoke[4][3]; // from the mean to the corners
-		for (int i = 0; i < 3; ++i) {
-			Lanes mean {};
-			for (int corner = 0; corner < 4; ++corner)
-				mean += spoke[corner][i] = segments.at(segments.vertices.place[i], corner);
-			mean /= 4;
-			for (int corner = 0; corner < 4; ++corner)
-				spoke[corner][i] -= mean;
+		Lanes x[4][3], side[4], around {};
+		for (int corner = 0; corner < 4; ++corner)
+			for (int i = 0; i < 3; ++i)
+				x[corner][i] = segments.at(segments.vertices.place[i], corner);
+		for (int corner = 0; corner < 4; ++corner) {
+			const auto &here = x[corner], &next = x[(corner + 1) % 4];
+			const Lanes d[3] { next[0] - here[0], next[1] - here[1], next[2] - here[2] };
+			around += side[corner] = root(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
 		}
 		for (int corner = 0; corner < 4; ++corner)
-			triangle[corner] = spanned(spoke[corner], spoke[(corner + 1) % 4]) / 2;
-		area = (triangle[0] + triangle[2]) + (triangle[1] + triangle[3]);
-		// a twelfth by way of the mean
+			middle[corner] = (side[corner] + side[(corner + 3) % 4]) / (2 * around);
+		for (int i = 0; i < 3; ++i) {
+			const Lanes centre = (middle[0] * x[0][i] + middle[2] * x[2][i]) + (middle[1] * x[1][i] + middle[3] * x[3][i]);
+			for (int corner = 0; corner < 4; ++corner)
+				x[corner][i] -= centre;
+		}
 		for (int corner = 0; corner < 4; ++corner)
-			weight[corner] = allLanes(1. / 12) + (triangle[corner] + triangle[(corner + 3) % 4]) / (3 * area);
+			triangle[corner] = spanned(x[corner], x[(corner + 1) % 4]) / 2;
+		area = (triangle[0] + triangle[2]) + (triangle[1] + triangle[3]);
+		for (int corner = 0; corner < 4; ++corner)
+			weight[corner] = middle[corner] / 3 + (triangle[corner] + triangle[(corner + 3) % 4]) / (3 * area);
 	}
 	/// Twelve times the integrals of the depth times the weight of each corner.
 	BRICK_INLINE void pressed(const Lanes (&depth)[4], Lanes (&sum)[4]) const
 	{
-		const Lanes mean = ((depth[0] + depth[2]) + (depth[1] + depth[3])) / 4;
-		Lanes       byMean {}, all[4];
+		const Lanes deep = (middle[0] * depth[0] + middle[2] * depth[2]) + (middle[1] * depth[1] + middle[3] * depth[3]);
+		Lanes       byMiddle {}, all[4];
 		for (int corner = 0; corner < 4; ++corner) {
-			all[corner] = mean + (depth[corner] + depth[(corner + 1) % 4]);
-			byMean += triangle[corner] * (mean + all[corner]);
+			all[corner] = deep + (depth[corner] + depth[(corner + 1) % 4]);
+			byMiddle += triangle[corner] * (deep + all[corner]);
 		}
 		for (int corner = 0; corner < 4; ++corner) {
 			const int before = (corner + 3) % 4;
-			sum[corner]      = byMean / 4 + (triangle[corner] * (depth[corner] + all[corner]) + triangle[before] * (depth[corner] + all[before]));
+			sum[corner]      = byMiddle * middle[corner] + (triangle[corner] * (depth[corner] + all[corner]) + triangle[before] * (depth[corner] + all[before]));
 		}
 	}
 };
