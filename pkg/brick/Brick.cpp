@@ -231,12 +231,14 @@ brick::InnerPartType Brick::innerPartType(const Checked& as, const brick::Nodes&
 /// The amplitudes belong to the modes that they were made with: a brick that is deformed must keep these, one that is not may begin anew.
 void Brick::keepDeformation(const Checked& as, const brick::Nodes& nodes)
 {
-	if (!inside) return;
+	const bool                 moved  = !allZero(displacement);
 	const brick::InnerPartType wanted = innerPartType(as, nodes);
-	if (inside->type.hasShapeOf(wanted)) return;
-	for (const auto& u : displacement)
-		if (u != Vector3r::Zero())
-			throw std::invalid_argument(brick::message(
+	if (!moved && joints > 0 && solid && as.cells != checked.cells)
+		throw std::invalid_argument(brick::message(
+		        "Brick: a brick with joints cannot change from ", checked.cells, " to ", as.cells, " cells along an edge: its joints are at nodes of its surface"));
+	if (!inside || inside->type.hasShapeOf(wanted)) return;
+	if (moved)
+		throw std::invalid_argument(brick::message(
 			        "Brick: a brick that is deformed cannot change from (",
 			        textOf(inside->type),
 			        ") to (",

@@ -7,6 +7,7 @@
 #include "kernel/Message.hpp"
 
 #include <core/Body.hpp>
+#include <core/Omega.hpp>
 
 #include <atomic>
 
@@ -302,17 +303,22 @@ std::vector<Real> BrickPhys::segmentArea() const
 
 namespace {
 
-	void needStep(const shared_ptr<BrickGeom>& geom)
+	/// A geometry of another interaction has other faces, and one of a scene that is gone points at bricks that are.
+	void needPresent(const BrickPhys& phys, const shared_ptr<BrickGeom>& geom)
 	{
 		if (!geom) throw std::invalid_argument("geom is None; it must be the BrickGeom of the same interaction");
-		if (!geom->isKnown()) throw std::runtime_error("The geometry of this joint is known after the first step: run O.step() before asking for it.");
+		if (!geom->isKnown() || phys.step < 0)
+			throw std::runtime_error("The geometry of this joint is known after the first step: run O.step() before asking for it.");
+		const auto& I = Omega::instance().getScene()->interactions->find(phys.ids[0], phys.ids[1]);
+		if (!I || I->phys.get() != &phys || I->geom != geom)
+			throw std::invalid_argument("geom and phys are not those of one interaction of the present scene; ask an interaction for both anew");
 	}
 
 } // namespace
 
 std::vector<Vector3r> BrickPhys::segmentPoints(const shared_ptr<BrickGeom>& geom) const
 {
-	needStep(geom);
+	needPresent(*this, geom);
 	return ofSegments<Vector3r>([&](int s) {
 		return Vector3r(geom->origin + geom->motion.middle(brick::segmentOf(joint, s)));
 	});
@@ -320,19 +326,19 @@ std::vector<Vector3r> BrickPhys::segmentPoints(const shared_ptr<BrickGeom>& geom
 
 std::vector<Real> BrickPhys::normalStress(const shared_ptr<BrickGeom>& geom) const
 {
-	needStep(geom);
+	needPresent(*this, geom);
 	return ofSegments<Real>([&](int s) { return brick::segmentTraction(joint, s, geom->motion, springs().tanFriction).normal; });
 }
 
 std::vector<Vector3r> BrickPhys::shearStress(const shared_ptr<BrickGeom>& geom) const
 {
-	needStep(geom);
+	needPresent(*this, geom);
 	return ofSegments<Vector3r>([&](int s) { return brick::segmentTraction(joint, s, geom->motion, springs().tanFriction).shear; });
 }
 
 Real BrickPhys::elasticEnergy(const shared_ptr<BrickGeom>& geom) const
 {
-	needStep(geom);
+	needPresent(*this, geom);
 	if (isJoint()) return brick::jointEnergy(joint, geom->motion, springs().tanFriction);
 	if (!contact || !geom->contact) return 0;
 	return brick::contactEnergy(geom->contact->sides[0], geom->contact->sides[1], geom->contact->spots, contact->springs, contact->memory);

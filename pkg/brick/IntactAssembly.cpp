@@ -177,9 +177,11 @@ boost::python::list IntactAssembly::mass() const { return entriesOf(assembly().s
 
 Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> IntactAssembly::nodalMap(int id) const
 {
-	const int    place = assembly().place(id);
-	const Brick& shape = static_cast<const Brick&>(*Body::byId(id, Omega::instance().getScene().get())->shape);
-	return assembly().structure.nodalMap(place, shape.innerNodes());
+	const int    place  = assembly().place(id);
+	const auto&  bodies = *Omega::instance().getScene()->bodies;
+	const Brick* shape  = bodies.exists(id) ? asBrick(bodies[id]->shape) : nullptr;
+	if (!shape) throw std::invalid_argument(brick::message("IntactAssembly.nodalMap: body #", id, " is gone since gather(), or is no Brick any more"));
+	return assembly().structure.nodalMap(place, shape->innerNodes());
 }
 
 } // namespace yade

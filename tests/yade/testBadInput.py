@@ -311,6 +311,25 @@ class Joints(Refused):
 			self.refused(['geom', 'None'], read, None)
 
 
+	def test_stresses_of_other_geometry_and_of_a_scene_that_is_gone(self):
+		collapse.build(2, 2)
+		O.step()
+		(phys, geom), (_, other) = [(i.phys, i.geom) for i in O.interactions][:2]
+		phys.elasticEnergy(geom)
+		for read in (phys.normalStress, phys.shearStress, phys.segmentPoints, phys.elasticEnergy):
+			self.refused(['one interaction'], read, other)
+		assembly = assembled()
+		O.reset()
+		self.refused(['present scene'], phys.elasticEnergy, geom)
+		self.refused(['#1', 'gone'], assembly.source.nodalMap, 1)
+
+	def test_cells_of_a_brick_with_joints(self):
+		collapse.build(2, 2)
+		refined = next(b for b in O.bodies if isinstance(b.shape, Brick) and b.shape.deformation == 'refined')
+		self.refused(['joints', 'cells'], setattr, refined.shape, 'deformation', 'trilinear')
+		O.step()
+
+
 class Steps(Refused):
 	"""What only a step can see. Without joints, so that YADE's loop meets the body first."""
 
