@@ -197,12 +197,13 @@ class StaticArch:
 		return None
 
 	def thickArch(self):
-		"""Equilibrium of an arch three times as thick as the scale."""
+		"""Equilibrium of an arch about three times as thick as the scale."""
 		row = np.array([1., 0, 0])
-		for share in np.linspace(.1, .6, 51):
-			for eccentricity in (0, .3, -.3, .6):
-				found = self.newton(np.array([3, share * self.count / 2, eccentricity]), row, 3)
-				if found is not None and abs(found[2]) < 1: return found
+		for thick in (3, 2.5, 4):
+			for share in np.linspace(.1, .6, 51):
+				for eccentricity in (0, .3, -.3, .6):
+					found = self.newton(np.array([thick, share * self.count / 2, eccentricity]), row, thick)
+					if found is not None and abs(found[2]) < 1: return found
 		raise RuntimeError('no equilibrium of a thick arch found')
 
 	def step(self, x, tangent):
