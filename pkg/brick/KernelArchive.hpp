@@ -85,7 +85,7 @@ namespace serialization {
 
 	template <class A> void serialize(A& ar, brick::JointShape& j, unsigned)
 	{
-		ar& make_nvp("face0", j.faces[0]) & make_nvp("face1", j.faces[1]) & make_nvp("springs", j.springs) & make_nvp("strength", j.strength);
+		ar& make_nvp("face0", j.faces[0]) & make_nvp("face1", j.faces[1]) & make_nvp("strength", j.strength);
 		ar& make_nvp("pair", j.pair) & make_nvp("along", j.along) & make_nvp("count", j.count) & make_nvp("area", j.area) & make_nvp("patches", j.patches);
 		for (int& number : j.rows)
 			ar& make_nvp("rows", number);
@@ -93,7 +93,7 @@ namespace serialization {
 
 	template <class A> void serialize(A& ar, brick::Joint& j, unsigned)
 	{
-		ar& make_nvp("shape", j.shape) & make_nvp("segments", j.segments) & make_nvp("restGap", j.restGap);
+		ar& make_nvp("shape", j.shape) & make_nvp("springs", j.springs) & make_nvp("segments", j.segments) & make_nvp("restGap", j.restGap);
 		ar& make_nvp("tension", j.failures.tension) & make_nvp("shear", j.failures.shear) & make_nvp("compression", j.failures.compression);
 	}
 

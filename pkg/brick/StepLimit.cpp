@@ -24,7 +24,7 @@ namespace {
 	/// The same for what is in touch at present. Faces that come into touch later are counted from the step after.
 	Real dashpotTime(const BrickGeom& geom, const BrickPhys& phys)
 	{
-		if (phys.isJoint()) return dashpotTime(phys.joint.shape->springs);
+		if (phys.isJoint()) return dashpotTime(phys.joint.springs);
 		Real longest = 0;
 		if (!geom.contact) return longest;
 		const brick::ContactSpot* last = nullptr; // spots of the same faces stand together

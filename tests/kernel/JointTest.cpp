@@ -267,7 +267,7 @@ TEST(JointTest, brick_joins_a_support_of_any_size_over_its_whole_face)
 			EXPECT_EQ(p.joint.count(), 16);
 			EXPECT_NEAR(p.area(), edge * edge, 1e-8 * edge * edge); // 1e7 m away, a place has nine digits left of a metre
 			EXPECT_LT(p.widest(), 1e-13);                           // the slab's centre is 50 m away
-			EXPECT_NEAR(p.joint.shape->springs.normal, pairs::young / (1 - .0625) / .001, 1);
+			EXPECT_NEAR(p.joint.springs.normal, pairs::young / (1 - .0625) / .001, 1);
 		}
 	}
 }
@@ -424,7 +424,7 @@ TEST(JointTest, swapping_the_sides_swaps_the_loads)
 			b->placement.velocity = random.vector(.01);
 		}
 		Pair q = p;
-		std::swap(q.first, q.second), q.joint.setMortar(p.joint.shape->springs, p.joint.shape->strength), std::swap(q.joint.shape->faces[0], q.joint.shape->faces[1]);
+		std::swap(q.first, q.second), q.joint.setMortar(p.joint.springs, p.joint.shape->strength), std::swap(q.joint.shape->faces[0], q.joint.shape->faces[1]);
 		std::swap(q.joint.shape->patches[0].sides[0], q.joint.shape->patches[0].sides[1]);
 		const auto a = p.step(), b = q.step();
 		const Real small = pairs::knThin * edge * edge * 1e-14; // as above
@@ -448,7 +448,7 @@ Real energy(const Pair& p)
 	Real       sum = 0;
 	for (int s = 0; s < p.joint.count(); ++s) {
 		const auto t = segmentTraction(p.joint, s, m, 0);
-		sum += segmentOf(p.joint, s).area / 2 * (t.normal * t.normal / p.joint.shape->springs.normal + t.shear.squaredNorm() / p.joint.shape->springs.shear);
+		sum += segmentOf(p.joint, s).area / 2 * (t.normal * t.normal / p.joint.springs.normal + t.shear.squaredNorm() / p.joint.springs.shear);
 	}
 	return sum;
 }
@@ -544,7 +544,7 @@ TEST(JointTest, joint_that_holds_gives_the_sum_of_its_segments)
 			const Vector3r f        = segment.area * (traction.normal * m.normal + traction.shear);
 			force += f;
 			torque += m.middle(segment).cross(f);
-			deepest = std::max(deepest, -traction.normal / p.joint.shape->springs.normal);
+			deepest = std::max(deepest, -traction.normal / p.joint.springs.normal);
 		}
 		const Real size = pairs::knThin * edge * edge * 1e-4; // of what the segments' forces may cancel to
 		EXPECT_LT((force - whole.loads[0].force).norm(), 1e-13 * size);
@@ -559,7 +559,7 @@ TEST(JointTest, joint_fails_when_and_only_when_a_segment_does)
 	int           failed = 0;
 	for (int trial = 0; trial < 300; ++trial) {
 		Pair p          = Pair::english();
-		p.joint.setMortar(p.joint.shape->springs, mortar());
+		p.joint.setMortar(p.joint.springs, mortar());
 		for (Body* b : { &p.first, &p.second })
 			b->displacement = random.nodes(5e-7), b->move(random.vector(2e-6), random.vector(5e-7), b->placement.position);
 		const int expected = overloaded(p.joint, p.motion()).total();
@@ -785,7 +785,7 @@ TEST(JointTest, dashpot_brakes_and_never_attracts)
 		p.springs.normalDamping = .2, p.springs.shearDamping = .1;
 		p.joint.setMortar(p.springs.at(.001, .001), p.joint.shape->strength);
 		p.second.placement.velocity[2] = speed;
-		const Real expected            = std::max(0., weight - p.joint.shape->springs.normalDashpot * edge * edge * speed);
+		const Real expected            = std::max(0., weight - p.joint.springs.normalDashpot * edge * edge * speed);
 		EXPECT_NEAR(-p.step().loads[0].force[2], expected, 1e-7 * (weight + expected)) << speed;
 	}
 	Pair open                         = cracked(-depth);
@@ -802,7 +802,7 @@ TEST(JointTest, shear_dashpot_brakes_within_the_friction_limit)
 		p.springs.shearDamping         = .1;
 		p.joint.setMortar(p.springs.at(.001, .001), p.joint.shape->strength);
 		p.second.placement.velocity[0] = speed;
-		const Real expected            = std::min(pairs::friction * weight, p.joint.shape->springs.shearDashpot * edge * edge * speed);
+		const Real expected            = std::min(pairs::friction * weight, p.joint.springs.shearDashpot * edge * edge * speed);
 		EXPECT_NEAR(p.step().loads[0].force[0], expected, 1e-7 * weight) << speed;
 	}
 	Pair moving                        = Pair::stacked(); // the intact joint has no dashpot

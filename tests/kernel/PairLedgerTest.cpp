@@ -168,7 +168,7 @@ struct JointMover : Mover {
 		}
 		return ledger.energy;
 	}
-	const SpotSprings& k() const { return joint.shape->springs; }
+	const SpotSprings& k() const { return joint.springs; }
 };
 
 struct ContactMover : Mover {

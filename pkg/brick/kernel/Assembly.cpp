@@ -73,7 +73,7 @@ namespace {
 	Joint unbreakable(Joint joint)
 	{
 		constexpr Real infinity = std::numeric_limits<Real>::infinity();
-		joint.setMortar(joint.shape->springs, { infinity, infinity, 0, infinity, 0 });
+		joint.setMortar(joint.springs, { infinity, infinity, 0, infinity, 0 });
 		return joint;
 	}
 
@@ -131,7 +131,7 @@ void Assembly::addJoint(const AssembledJoint& j, Triplets& out) const
 	const std::array<Placement, 2> at { placement(j, 0, u[0]), placement(j, 1, u[1]) };
 	JointMotion                    m;
 	jointMotion(j.joint, at[0], at[1], m);
-	const SpotSprings& springs = j.joint.shape->springs;
+	const SpotSprings& springs = j.joint.springs;
 	const Matrix3r     D       = springs.shear * Matrix3r::Identity() + (springs.normal - springs.shear) * m.normal * m.normal.transpose();
 
 	std::array<std::array<MatrixX, 2>, 2> blocks;

@@ -264,25 +264,20 @@ std::optional<Joint> joinFaces(const Side& side0, int face0, const Side& side1, 
 	shape.faces[0] = { side0.support ? -1 : face0, side0.solid->faces[face0].normal };
 	shape.faces[1] = { side1.support ? -1 : face1, side1.solid->faces[face1].normal };
 	shape.along    = side0.placement.rotation.transpose() * overlap.plane.axis1;
-	return Joint { std::make_shared<JointShape>(shape), {}, {}, overlap.restGap };
+	return Joint { std::make_shared<JointShape>(shape), {}, {}, {}, overlap.restGap };
 }
 
-void Joint::setMortar(const SpotSprings& springs, const MortarStrength& strength, const PairSprings& pair)
+void Joint::setMortar(const SpotSprings& given, const MortarStrength& strength, const PairSprings& pair)
 {
 	// what is given may be the present shape's own
 	auto changed      = std::make_shared<JointShape>(*shape);
-	changed->springs  = springs;
+	springs           = given;
 	changed->strength = strength;
 	changed->pair     = pair;
 	shape             = std::move(changed);
 }
 
 namespace {
-
-	bool same(const SpotSprings& a, const SpotSprings& b)
-	{
-		return a.normal == b.normal && a.shear == b.shear && a.normalDashpot == b.normalDashpot && a.shearDashpot == b.shearDashpot;
-	}
 
 	bool same(const PairSprings& a, const PairSprings& b)
 	{
@@ -319,7 +314,7 @@ bool alike(const JointShape& a, const JointShape& b, Real tolerance)
 	const Real share = tolerance / std::sqrt(a.area);
 	for (int s = 0; s < 2; ++s)
 		if (a.faces[s].face != b.faces[s].face || !near(a.faces[s].normal, b.faces[s].normal, share)) return false;
-	if (a.patches.size() != b.patches.size() || a.rows != b.rows || !same(a.springs, b.springs) || !same(a.strength, b.strength) || !same(a.pair, b.pair)
+	if (a.patches.size() != b.patches.size() || a.rows != b.rows || !same(a.strength, b.strength) || !same(a.pair, b.pair)
 	    || !near(a.along, b.along, share))
 		return false;
 	for (std::size_t i = 0; i < a.patches.size(); ++i)

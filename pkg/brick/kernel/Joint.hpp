@@ -76,7 +76,6 @@ struct JointPatch {
 /// What does not change in a joint; joints alike share it.
 struct JointShape {
 	std::array<JointFace, 2> faces;
-	SpotSprings              springs;
 	MortarStrength           strength;
 	PairSprings              pair;                       ///< of contact once all segments have failed; its friction is that of segments that have
 	Vector3r                 along { Vector3r::Zero() }; ///< unit vector along p, body axes of side 0
@@ -88,6 +87,7 @@ struct JointShape {
 
 struct Joint {
 	std::shared_ptr<JointShape> shape;       ///< null when there is no joint; not to be written to
+	SpotSprings                 springs;     ///< by the contact lengths that the bricks have at present: see PairSprings::at
 	std::vector<JointSegments>  segments;    ///< of each patch; empty as long as all hold
 	Failures                    failures;    ///< so far
 	Real                        restGap = 0; ///< distance of the faces, at the centre of one, when they were joined [m]; taken as closed

@@ -84,7 +84,7 @@ namespace {
 	{
 		constexpr Real hinge   = 10; // far beyond any stress of a joint that bends with its wall
 		const bool     cracked = !joint.holds();
-		sweep.bending          = joint.shape->springs.normal * edge;
+		sweep.bending          = joint.springs.normal * edge;
 		sweep.hingeTension     = cracked ? joint.shape->strength.tension : hinge * joint.shape->strength.tension;
 		sweep.hingeShare       = cracked ? 0 : hinge;
 		sweep.hingeSign        = cracked ? 1 : 0;
@@ -106,7 +106,7 @@ namespace {
 		if (!moving) sweep.rate = {};
 		else
 			BRICK_BEST_INSTRUCTION_SET(setRate)(joint.shape->patches[patch], m.patches[patch], m.offset, *moving, axes, sweep.rate);
-		sweep.springs     = joint.shape->springs;
+		sweep.springs     = joint.springs;
 		sweep.strength    = joint.shape->strength;
 		sweep.tanFriction = tanFriction;
 		setHinge(joint, edgeOpening(joint, m, patch), sweep);
@@ -224,8 +224,8 @@ Failures jointLoads(
 	sum.normalForce = -force.dot(m.normal) * m.normal;
 	sum.shearForce  = -force - sum.normalForce;
 	sum.point /= sum.area;
-	sum.kn = joint.shape->springs.normal * sum.area;
-	sum.ks = joint.shape->springs.shear * sum.area;
+	sum.kn = joint.springs.normal * sum.area;
+	sum.ks = joint.springs.shear * sum.area;
 	return { joint.failures.tension - before.tension, joint.failures.shear - before.shear, joint.failures.compression - before.compression };
 }
 
@@ -252,12 +252,12 @@ SegmentTraction segmentTraction(const Joint& joint, int index, const JointMotion
 	const SegmentField opening = openingOf(joint, m.patches[segment.patch], axes);
 	const Real         un = at(opening.normal, segment.p, segment.q);
 	Vector2r           ut(at(opening.tangent1, segment.p, segment.q), at(opening.tangent2, segment.p, segment.q));
-	Real               normal = joint.shape->springs.normal * un;
-	if (segment.state == SegmentState::Intact) ut *= joint.shape->springs.shear;
+	Real               normal = joint.springs.normal * un;
+	if (segment.state == SegmentState::Intact) ut *= joint.springs.shear;
 	else {
 		normal = std::min(0., normal);
 		ut -= slipOf(joint, index);
-		ut *= joint.shape->springs.shear;
+		ut *= joint.springs.shear;
 		const Real limit = -normal * tanFriction;
 		if (ut.norm() > limit) ut *= limit / ut.norm();
 	}
@@ -286,7 +286,7 @@ Real jointEnergy(const Joint& joint, const JointMotion& m, Real tanFriction)
 	}
 	for (int s = 0; s < joint.count(); ++s) {
 		const SegmentTraction t = segmentTraction(joint, s, m, tanFriction);
-		energy += segmentOf(joint, s).area / 2 * (t.normal * t.normal / joint.shape->springs.normal + t.shear.squaredNorm() / joint.shape->springs.shear);
+		energy += segmentOf(joint, s).area / 2 * (t.normal * t.normal / joint.springs.normal + t.shear.squaredNorm() / joint.springs.shear);
 	}
 	return energy;
 }

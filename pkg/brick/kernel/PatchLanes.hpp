@@ -126,8 +126,8 @@ bool outermostHold(const Joint& joint, const JointMotion& m, int number, Real& p
 	const Corners         d        = weighted(shape.patches[number].outermost, m.patches[number].opening);
 	const Lanes           un       = dot(d, m.normal);
 	const Lanes           t[3] { d[0] - un * m.normal[0], d[1] - un * m.normal[1], d[2] - un * m.normal[2] };
-	const Lanes           sigma   = shape.springs.normal * (un - joint.restGap);
-	const Lanes           squared = shape.springs.shear * shape.springs.shear * ((t[0] * t[0] + t[1] * t[1]) + t[2] * t[2]); // of the shear stress
+	const Lanes           sigma   = joint.springs.normal * (un - joint.restGap);
+	const Lanes           squared = joint.springs.shear * joint.springs.shear * ((t[0] * t[0] + t[1] * t[1]) + t[2] * t[2]); // of the shear stress
 	const Lanes           held    = strength.cohesion - sigma * strength.tanFriction; // what it must not exceed
 	for (int c = 0; c < lanes; ++c)
 		penetration = std::max(penetration, joint.restGap - un[c]);
@@ -138,7 +138,7 @@ bool outermostHold(const Joint& joint, const JointMotion& m, int number, Real& p
 /// Force on side 0 of a patch that holds, at the corners of its rectangle.
 void setHoldingForce(const Joint& joint, const JointMotion& m, int number, CornerVectors& force)
 {
-	const Real           kn = joint.shape->springs.normal, ks = joint.shape->springs.shear;
+	const Real           kn = joint.springs.normal, ks = joint.springs.shear;
 	const JointPatch&    patch  = joint.shape->patches[number];
 	const Corners        mean   = weighted(patch.weight, m.patches[number].opening);
 	const Lanes          normal = (kn - ks) * dot(mean, m.normal) - kn * joint.restGap * loadLanes(patch.cornerAreas.data());
