@@ -44,20 +44,6 @@ namespace {
 		return std::find_if(known.begin(), known.end(), [value](const auto& item) { return item.second == value; })->first;
 	}
 
-	string textOf(const brick::InnerPartType& type)
-	{
-		return brick::message(
-		        nameOf(type.deformation, deformations),
-		        ", ",
-		        nameOf(type.element, elements),
-		        ", ",
-		        nameOf(type.inner, inners),
-		        ", r = ",
-		        type.thickness,
-		        ", cells = ",
-		        type.cells);
-	}
-
 	brick::Nodes nodesOf(const std::vector<Vector3r>& corners)
 	{
 		if (corners.size() != brick::nodeCount)
@@ -130,9 +116,15 @@ namespace {
 		return std::all_of(values.begin(), values.end(), [](const auto& value) { return value == 0 * value; });
 	}
 
-	/// Refuses a deformation that is not finite, as a file may hold. One that is of other modes or nodes than the brick's is refused too, or dropped where
-	/// it is zero: of a brick that was loaded, the inner part that it was made with is not known before its first step.
-	void checkDeformation(Brick& b, brick::Deformation as, int cells)
+	template <class Value> void checkKnown(const char* what, Value value, const Names<Value>& known)
+	{
+		for (const auto& item : known)
+			if (item.second == value) return;
+		throw std::invalid_argument(brick::message("Brick.level: ", what, " number ", int(value), " is not known"));
+	}
+
+	/// Refuses what only a file can hold: a deformation that is not finite, or a level that there is not.
+	void checkLoaded(const Brick& b)
 	{
 		const auto allFinite = [](const std::vector<Vector3r>& vectors) {
 			return std::all_of(vectors.begin(), vectors.end(), [](const Vector3r& v) { return v.allFinite(); });
@@ -140,24 +132,34 @@ namespace {
 		const auto allNumbers = [](const std::vector<Real>& values) { return std::all_of(values.begin(), values.end(), [](Real x) { return std::isfinite(x); }); };
 		if (!allNumbers(b.amplitudes) || !allNumbers(b.rates) || !allFinite(b.displacement) || !allFinite(b.displacementRate))
 			throw std::invalid_argument("Brick: amplitudes, rates, displacement and displacementRate must be finite; one of their values is not");
-		const bool        rigid = as == brick::Deformation::Rigid;
-		const std::size_t nodes = rigid ? 0 : brick::surfaceGrid(cells).size();
-		const std::size_t modes = rigid ? 0 : as == brick::Deformation::Uniform ? 6 : 3 * nodes - 6;
+		for (const Real x : { b.share, b.progress })
+			if (!(x > 0 && x <= 1)) throw std::invalid_argument(brick::message("Brick.share and progress: ", x, "; must be above 0, and at most 1"));
+		checkKnown("deformation", b.level.deformation, deformations);
+		checkKnown("element", b.level.element, elements);
+		checkKnown("inner", b.level.inner, inners);
+		if (b.level.cells < 1 || b.level.cells > brick::largestCells) throw std::invalid_argument(brick::message("Brick.level: ", b.level.cells, " cells"));
+	}
+
+	/// Refuses a deformation of other modes or nodes than the level in use has, as a file may hold, or drops it where it is zero.
+	void checkDeformation(Brick& b)
+	{
+		const bool        rigid = b.level.isRigid();
+		const std::size_t nodes = rigid ? 0 : brick::surfaceGrid(b.level.cells).size();
+		const std::size_t modes = rigid ? 0 : b.level.deformation == brick::Deformation::Uniform ? 6 : 3 * nodes - 6;
 		const auto        fits  = [](const auto& values, std::size_t count) { return values.empty() || values.size() == count; };
 		if (fits(b.amplitudes, modes) && b.rates.size() == b.amplitudes.size() && fits(b.displacement, nodes) && fits(b.displacementRate, nodes)) return;
 		if (!allZero(b.amplitudes) || !allZero(b.rates) || !allZero(b.displacement))
 			throw std::invalid_argument(brick::message(
-			        "Brick: a brick that is deformed cannot change its level of deformation or its cells: it has ",
+			        "Brick: it has ",
 			        b.amplitudes.size(),
 			        " amplitudes and ",
 			        b.displacement.size(),
-			        " nodes, where ",
-			        nameOf(as, deformations),
+			        " nodes that are deformed, where ",
+			        nameOf(b.level.deformation, deformations),
 			        " has ",
 			        modes,
 			        " and ",
-			        nodes,
-			        "; make a new one"));
+			        nodes));
 		b.amplitudes.clear(), b.rates.clear(), b.displacement.clear(), b.displacementRate.clear();
 	}
 
@@ -179,9 +181,9 @@ namespace {
 
 } // namespace
 
-Brick::Checked Brick::checkedAttributes() const
+BrickLevel Brick::wantedLevel() const
 {
-	Checked found { fromName("deformation", deformation, deformations), fromName("element", element, elements), fromName("inner", inner, inners), 1, contactThickness };
+	BrickLevel found { fromName("deformation", deformation, deformations), fromName("element", element, elements), fromName("inner", inner, inners), 1, contactThickness };
 	if (segments < 1 || segments > brick::largestSegments)
 		throw std::invalid_argument("Brick.segments: " + std::to_string(segments) + "; allowed is 1 to " + std::to_string(brick::largestSegments));
 	if (found.deformation != brick::Deformation::Refined) return found;
@@ -196,63 +198,95 @@ Brick::Checked Brick::checkedAttributes() const
 
 void Brick::postLoad(Brick&)
 {
-	const Checked found = checkedAttributes();
+	checkLoaded(*this);
+	const BrickLevel asked = wantedLevel();
+	if (joints > 0 && solid && asked.cells != level.cells)
+		throw std::invalid_argument(brick::message(
+		        "Brick: a brick with joints cannot change from ", level.cells, " to ", asked.cells, " cells along an edge: its joints are at nodes of its surface"));
+	shared_ptr<const brick::Hexahedron> shape = solid;
 	if (!corners.empty()) {
 		const brick::Nodes nodes = nodesOf(corners);
-		const auto         shape = sharedSolid(nodes);
+		shape                    = sharedSolid(nodes);
 		checkPrincipalFrame(nodes);
 		// refuses a thickness that the brick cannot have, wherever the inner part ends
-		if (found.deformation != brick::Deformation::Rigid) brick::insetCorners(*shape, contactThickness);
-		keepDeformation(found, nodes);
-		solid = shape;
-		for (int f = 0; f < brick::faceCount; ++f)
-			contactLength[f] = found.deformation == brick::Deformation::Rigid ? solid->distance(f) : contactThickness;
+		if (!asked.isRigid()) brick::insetCorners(*shape, contactThickness);
+		keepDeformation(nodes);
 	} else if (solid)
 		throw std::invalid_argument("Brick.corners: none given; a brick that has corners can only be given eight others");
-	checkDeformation(*this, found.deformation, found.cells);
-	checked = found;
-	counted = false;
+	solid  = shape;
+	wanted = asked;
+	if (!moved && level != wanted) beginLevel();
+	checkDeformation(*this);
+	setContactLengths();
+	counted  = false;
+	changing = joints > 0 || !isSettled();
 	// joints and contacts of the first step, before the material is known, must find a deformable brick
 	displacement.resize(isDeformable() ? surfaceNodes() : 0, Vector3r::Zero());
 }
 
-brick::InnerPartType Brick::innerPartType(const Checked& as, const brick::Nodes& nodes) const
+/// Takes up the level that is wanted, undeformed.
+void Brick::beginLevel()
+{
+	level = wanted;
+	share = progress = 1;
+	inside.reset();
+	amplitudes.clear(), rates.clear(), displacementRate.clear();
+	displacement.assign(isDeformable() ? surfaceNodes() : 0, Vector3r::Zero());
+}
+
+void Brick::setContactLengths()
+{
+	for (int f = 0; f < brick::faceCount && solid; ++f) {
+		const Real settled = settledContactLength(f), rigid = solid->distance(f);
+		contactLength[f]   = share < 1 ? rigid + share * (settled - rigid) : settled;
+	}
+}
+
+void Brick::changeLevel(const BrickMat& material, Real dt, Real duration)
+{
+	constexpr Real periods = 4; // of the slowest mode: the element follows its load to some per cent
+	const auto     part    = [&] {
+                const Real whole = std::isnan(duration) ? periods * 2 * M_PI / std::sqrt(inside->modes.omegaSquared.front()) : duration;
+                return whole > dt ? dt / whole : 1;
+	};
+	innerPart(material);
+	if (level == wanted) progress = isDeformable() ? std::min<Real>(1, progress + part()) : 1;
+	else if (isDeformable() && progress > part())
+		progress -= part();
+	else {
+		beginLevel();
+		if (innerPart(material)) progress = part();
+	}
+	share = progress * progress * (3 - 2 * progress); // without a jump of its rate, which would leave vibration
+	setContactLengths();
+}
+
+brick::InnerPartType Brick::innerPartType() const
 {
 	brick::InnerPartType type;
-	type.corners     = nodes;
-	type.deformation = as.deformation;
-	type.element     = as.element;
-	type.inner       = as.inner;
-	type.thickness   = as.thickness;
-	type.cells       = as.cells;
+	type.corners     = solid->corners;
+	type.deformation = level.deformation;
+	type.element     = level.element;
+	type.inner       = level.inner;
+	type.thickness   = level.thickness;
+	type.cells       = level.cells;
 	return type;
 }
 
-/// The amplitudes belong to the modes that they were made with: a brick that is deformed must keep these, one that is not may begin anew.
-void Brick::keepDeformation(const Checked& as, const brick::Nodes& nodes)
+/// The amplitudes belong to the modes of the corners that they were made with.
+void Brick::keepDeformation(const brick::Nodes& nodes)
 {
-	const bool                 moved  = !allZero(displacement);
-	const brick::InnerPartType wanted = innerPartType(as, nodes);
-	if (!moved && joints > 0 && solid && as.cells != checked.cells)
-		throw std::invalid_argument(brick::message(
-		        "Brick: a brick with joints cannot change from ", checked.cells, " to ", as.cells, " cells along an edge: its joints are at nodes of its surface"));
-	if (!inside || inside->type.hasShapeOf(wanted)) return;
-	if (moved)
-		throw std::invalid_argument(brick::message(
-			        "Brick: a brick that is deformed cannot change from (",
-			        textOf(inside->type),
-			        ") to (",
-			        textOf(wanted),
-			        "), nor its corners; it could before its first step, or make a new one"));
-	amplitudes.clear(), rates.clear(), displacement.clear(), displacementRate.clear();
+	if (!solid || solid->corners == nodes) return;
+	if (!allZero(displacement)) throw std::invalid_argument("Brick.corners: a brick that is deformed cannot change them; make a new one");
 	inside.reset();
+	amplitudes.clear(), rates.clear(), displacement.clear(), displacementRate.clear();
 }
 
 const brick::InnerPart* Brick::innerPart(const BrickMat& material)
 {
 	if (!isDeformable()) return nullptr;
 	if (isReady(material)) return inside.get();
-	brick::InnerPartType type = innerPartType(checked, solid->corners);
+	brick::InnerPartType type = innerPartType();
 	type.young                = material.young;
 	type.poisson              = material.poisson;
 	type.density              = material.density;
@@ -265,23 +299,37 @@ const brick::InnerPart* Brick::innerPart(const BrickMat& material)
 
 Real Brick::advance(const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt, bool nodeRates, brick::ModeEnergy* energy)
 {
-	const auto& modes = inside->modes;
-	const int   count = modes.count();
+	constexpr Real changeDamping = .3; // of critical: a change of level leaves no vibration behind, and a stiffening element does not gain energy from what it has
+	if (share < 1) dampingRatio = std::max(dampingRatio, changeDamping);
+	const auto& omegaSquared = presentOmegaSquared();
+	const int   count        = inside->modes.count();
 	Real* const load  = workingSpace(inside->columns.paddedModes());
 	inside->columns.loads(forces[0].data(), load);
 	const Eigen::Map<const brick::VectorX> f(load, count), rate(rates.data(), count);
 	const Real                             before = f.dot(rate);
 	std::vector<Real>                      amplitudes0, rates0;
 	if (energy) amplitudes0 = amplitudes, rates0 = rates;
-	brick::advanceModes(modes.omegaSquared, load, dampingRatio, localDamping, dt, amplitudes.data(), rates.data());
-	if (energy) *energy = brick::modeEnergy(modes.omegaSquared, load, amplitudes0.data(), rates0.data(), rates.data(), dampingRatio, localDamping, dt);
+	brick::advanceModes(omegaSquared, load, dampingRatio, localDamping, dt, amplitudes.data(), rates.data());
+	if (energy) *energy = brick::modeEnergy(omegaSquared, load, amplitudes0.data(), rates0.data(), rates.data(), dampingRatio, localDamping, dt);
 	const Real after = f.dot(rate);
 	updateNodes(nodeRates); // overwrites the loads
 	return dt / 2 * (before + after);
 }
 
+/// Of the element, by the share of the compliance that it has.
+const std::vector<Real>& Brick::presentOmegaSquared() const
+{
+	if (share == 1) return inside->modes.omegaSquared;
+	thread_local std::vector<Real> stiffened;
+	stiffened = inside->modes.omegaSquared;
+	for (Real& w : stiffened)
+		w /= share;
+	return stiffened;
+}
+
 void Brick::setAmplitudes(const std::vector<Real>& given)
 {
+	moved      = true;
 	amplitudes = given;
 	std::fill(rates.begin(), rates.end(), 0);
 	updateNodes(false);
@@ -303,7 +351,7 @@ Real Brick::elasticEnergy() const
 	if (!inside) return NaN;
 	Real energy = 0;
 	for (std::size_t k = 0; k < amplitudes.size(); ++k)
-		energy += inside->modes.omegaSquared[k] * amplitudes[k] * amplitudes[k] / 2;
+		energy += inside->modes.omegaSquared[k] / share * amplitudes[k] * amplitudes[k] / 2;
 	return energy;
 }
 
@@ -376,7 +424,7 @@ Vector6r Brick::stress() const
 {
 	if (!isDeformable()) return Vector6r::Zero();
 	if (!inside) return Vector6r::Constant(NaN);
-	return inside->meanStress(Eigen::Map<const brick::VectorX>(displacement[0].data(), 3 * int(displacement.size())));
+	return inside->meanStress(Eigen::Map<const brick::VectorX>(displacement[0].data(), 3 * int(displacement.size()))) / share;
 }
 
 Real Brick::volume() const { return corners.empty() ? NaN : brick::solidProperties(nodesOf(corners)).volume; }

@@ -16,13 +16,49 @@
 
 namespace yade {
 
+/// How a brick's deformation is followed: what its attributes of the same names say.
+struct BrickLevel {
+	brick::Deformation deformation = brick::Deformation::Trilinear;
+	brick::Element     element     = brick::Element::Full;
+	brick::Inner       inner       = brick::Inner::Inset;
+	int                cells       = 1; // 1 unless refined
+	Real               thickness   = NaN;
+
+	bool isRigid() const { return deformation == brick::Deformation::Rigid; }
+	bool operator==(const BrickLevel& o) const
+	{
+		if (isRigid() || o.isRigid()) return isRigid() && o.isRigid();
+		return deformation == o.deformation && element == o.element && inner == o.inner && cells == o.cells && thickness == o.thickness;
+	}
+	bool operator!=(const BrickLevel& o) const { return !(*this == o); }
+};
+
+template <class Archive> void serialize(Archive& ar, BrickLevel& level, unsigned)
+{
+	using boost::serialization::make_nvp;
+	int deformation = int(level.deformation), element = int(level.element), inner = int(level.inner);
+	ar& make_nvp("deformation", deformation) & make_nvp("element", element) & make_nvp("inner", inner);
+	ar& make_nvp("cells", level.cells) & make_nvp("thickness", level.thickness);
+	level.deformation = brick::Deformation(deformation), level.element = brick::Element(element), level.inner = brick::Inner(inner);
+}
+
 class Brick : public Shape {
 public:
 	// Derived from the attributes by postLoad; null as long as no corners are given.
 	shared_ptr<const brick::Hexahedron> solid;
-	std::array<Real, brick::faceCount>  contactLength { 0, 0, 0, 0, 0, 0 };
+	std::array<Real, brick::faceCount>  contactLength { 0, 0, 0, 0, 0, 0 }; // at present, see share
 
-	bool isDeformable() const { return checked.deformation != brick::Deformation::Rigid; }
+	bool isDeformable() const { return !level.isRigid(); }
+	bool isSettled() const { return level == wanted && share == 1; } ///< no change of level goes on
+	bool isChanging() const { return changing; }                     ///< one does, or joints have yet to take up what the contact lengths are now
+
+	/// A step of the change of level towards the attributes: the brick's compliance moves from the springs into the element, or back.
+	/// @param duration of the whole change [s]; NaN: some periods of the slowest mode, 0: at once
+	void changeLevel(const BrickMat&, Real dt, Real duration);
+	void noteTakenUp() { changing = !isSettled(); } ///< joints have taken up the contact lengths
+
+	/// What the contact lengths are when no change goes on: the shortest that they can have at this level.
+	Real settledContactLength(int face) const { return isDeformable() ? level.thickness : solid->distance(face); }
 
 	/// Whether this brick and another were laid edge to edge and all joints of both hold (see whole).
 	bool isHeldApartFrom(const Brick& other, int id) const { return whole && other.whole && std::find(beside.begin(), beside.end(), id) != beside.end(); }
@@ -42,7 +78,7 @@ public:
 	/// Modes of this brick in this material; equal bricks share them. Null for a rigid brick. Not to be called in parallel.
 	const brick::InnerPart* innerPart(const BrickMat& material);
 
-	/// Whether innerPart() has been asked for with this material, as it is.
+	/// Whether innerPart() has been asked for with this material, as it is, and the level of deformation is not to be changed.
 	bool isReady(const BrickMat& m) const
 	{
 		return !isDeformable() || (inside && inside->type.young == m.young && inside->type.poisson == m.poisson && inside->type.density == m.density);
@@ -60,7 +96,7 @@ public:
 	/// Deforms it at rest.
 	void setAmplitudes(const std::vector<Real>&);
 
-	int                   surfaceCells() const { return checked.cells; } ///< along each edge of a face
+	int                   surfaceCells() const { return level.cells; } ///< along each edge of a face
 	int                   surfaceNodes() const { return brick::surfaceGrid(surfaceCells()).size(); }
 	Vector3r              deformedNode(int a) const; ///< of the surface, the corners first; body axes [m]
 	std::vector<Vector3r> innerNodes() const;        ///< surface of the inner part at rest, body axes [m]; the corners of a rigid brick
@@ -83,6 +119,8 @@ A deformable brick has an inner hexahedron, an 8-node finite element that deform
 
 Instead of one element, the inner part of a 'refined' brick is :yref:`cells<Brick.cells>` x cells x cells of them, condensed to the nodes on its surface [Guyan1965]_; joints and contacts see each face as cells x cells bilinear patches. What the inside does by itself, above its own lowest frequency, is left out.
 
+:yref:`deformation<Brick.deformation>` and what belongs to it can be changed during a run. Of a brick that has moved, the change takes :yref:`BrickDynamics.levelTime`: its compliance goes from the springs of its joints and contacts into the element or back, so that places, velocities and forces do not jump; see :yref:`share<Brick.share>`.
+
 Limitations: small strain in the co-rotated frame; inertia forces of the rotation (centrifugal) do not load the element.)",
 		((vector<Vector3r>, corners, , Attr::triggerPostLoad, "Eight corners at rest in body axes [m]: the origin is the centre of gravity and the axes are principal axes of inertia. Order: (---), (+--), (++-), (-+-), then the same with z +."))
 		((string, deformation, "trilinear", Attr::triggerPostLoad, "How deformation is followed: 'rigid' (not at all: refined DEM), 'uniform' (the 6 states of constant strain), 'trilinear' (all 18 modes of the element) or 'refined' (elements in each brick, see :yref:`cells<Brick.cells>`)."))
@@ -95,6 +133,10 @@ Limitations: small strain in the co-rotated frame; inertia forces of the rotatio
 		((vector<Real>, rates, , Attr::readonly, "Rate of each amplitude, half a step before [sqrt(kg) m/s]."))
 		((vector<Vector3r>, displacement, , Attr::readonly, "Displacement of the eight nodes relative to the rigid motion, body axes [m]; empty for rigid bricks. Of a 'refined' brick all 6 cells^2 + 2 nodes on the surface: the corners first, then by place in the grid, x fastest and z slowest."))
 		((vector<Vector3r>, displacementRate, , Attr::readonly, "Its rate, half a step before [m/s]; empty while no dashpot asks for it: all joints hold and nothing else touches the brick."))
+		((Real, share, 1, Attr::readonly, "Share of its compliance that the element of a deformable brick has at present, above 0. Below 1 while the level of deformation changes: its stiffness is divided by this share, and the contact lengths are between the distance of the face and r, by the same share."))
+		((Real, progress, 1, Attr::hidden, "Of the change of level, 0 to 1: time since its beginning by its duration, or that which is left while it goes back."))
+		((bool, moved, false, Attr::hidden, "Whether it has been in a step, or brought to rest under loads: a change of level then takes time."))
+		((BrickLevel, level, , Attr::hidden, "In use; during a change not that of the attributes."))
 		((bool, whole, false, Attr::readonly, "Whether the brick has mortar joints and all segments of all of them hold."))
 		((int, joints, 0, Attr::readonly, "Mortar joints that were laid at this brick."))
 		((vector<int>, beside, , Attr::readonly, "Bodies that touch this brick at an edge or corner only, with a common neighbour that both are joined to: not searched for contact, nor kept as interactions, while both are :yref:`whole<Brick.whole>`.")),
@@ -114,19 +156,15 @@ Limitations: small strain in the co-rotated frame; inertia forces of the rotatio
 	REGISTER_CLASS_INDEX(Brick, Shape);
 
 private:
-	/// The attributes as they were last found right.
-	struct Checked {
-		brick::Deformation deformation = brick::Deformation::Trilinear;
-		brick::Element     element     = brick::Element::Full;
-		brick::Inner       inner       = brick::Inner::Inset;
-		int                cells       = 1; // 1 unless refined
-		Real               thickness   = NaN;
-	};
-	Checked                            checked;
+	BrickLevel                         wanted; // by the attributes as they were last found right
+	bool                               changing = false;
 	shared_ptr<const brick::InnerPart> inside;
-	Checked                            checkedAttributes() const;
-	void                               keepDeformation(const Checked&, const brick::Nodes&);
-	brick::InnerPartType               innerPartType(const Checked&, const brick::Nodes&) const;
+	BrickLevel                         wantedLevel() const;
+	void                               keepDeformation(const brick::Nodes&);
+	void                               beginLevel();
+	void                               setContactLengths();
+	brick::InnerPartType               innerPartType() const;
+	const std::vector<Real>&           presentOmegaSquared() const;
 	void                               updateNodes(bool rates);
 };
 REGISTER_SERIALIZABLE(Brick);

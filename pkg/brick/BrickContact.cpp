@@ -258,6 +258,42 @@ Real thinnestContactPart(const std::array<brick::Side, 2>& sides)
 
 namespace {
 
+	/// Contact length of a joint's face; of a support none.
+	Real contactLengthAt(const Body& b, const brick::JointFace& at)
+	{
+		const Brick* shape = asBrick(b.shape);
+		return shape ? shape->contactLength[at.face] : 0;
+	}
+
+	Real contactPartOf(const Body& b)
+	{
+		const Brick* shape = asBrick(b.shape);
+		return shape ? *std::min_element(shape->contactLength.begin(), shape->contactLength.end()) : std::numeric_limits<Real>::infinity();
+	}
+
+} // namespace
+
+void takeUpContactLengths(const Body& b, Scene& scene)
+{
+	for (const auto& item : b.intrs) {
+		BrickPhys* const phys = asBrickPhys(item.second->phys);
+		if (!phys) continue;
+		const auto& other      = Body::byId(item.first, &scene);
+		const bool  otherFirst = !asBrick(other->shape) || other->getId() < b.getId();
+		const Body &first = otherFirst ? *other : b, &second = otherFirst ? b : *other;
+		phys->contactPart = std::min(contactPartOf(first), contactPartOf(second));
+		if (!phys->isJoint()) continue;
+		const auto& shape   = *phys->joint.shape;
+		const auto  springs = shape.pair.at(contactLengthAt(first, shape.faces[0]), contactLengthAt(second, shape.faces[1]));
+		if (!(springs.normal > 0 && springs.shear > 0 && std::isfinite(springs.normal + springs.shear)))
+			throw std::invalid_argument(brick::message(
+			        "Brick #", b.getId(), ": its contact part is thinner than half of the mortar that joins it to #", item.first, " (Mortar.thickness); a change of its level needs it thicker"));
+		phys->joint.springs = springs;
+	}
+}
+
+namespace {
+
 	void makePhys(const Interaction& I, Scene* scene, shared_ptr<IPhys>& out)
 	{
 		const BrickGeom&      geom   = static_cast<const BrickGeom&>(*I.geom);

@@ -233,6 +233,10 @@ string touchProblem(const Body&);
 /// BrickDynamics refuses it later in the same step. -1: none. Asking forgets it.
 Body::id_t takeUntouchable();
 
+/// Gives the pairs of a brick what follows from the contact lengths that it has now: the springs of joints, and how thin the thinner contact part is.
+/// @throws std::invalid_argument when a contact part is thinner than half of the mortar
+void takeUpContactLengths(const Body&, Scene&);
+
 /// Thickness of the thinner contact part of a pair's bricks [m].
 Real thinnestContactPart(const std::array<brick::Side, 2>&);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "BrickDynamics.hpp"
 
+#include "BrickTimeStepper.hpp"
 #include "Prefetch.hpp"
 #include "kernel/Message.hpp"
 
@@ -82,6 +83,8 @@ namespace {
 void BrickDynamics::postLoad(BrickDynamics&)
 {
 	if (!(damping >= 0 && damping < 1)) throw std::invalid_argument("BrickDynamics.damping: " + std::to_string(damping) + "; must be in [0, 1)");
+	if (levelTime < 0 || std::isinf(levelTime))
+		throw std::invalid_argument(brick::message("BrickDynamics.levelTime: ", levelTime, " s; must be finite and >= 0, or NaN for the default"));
 }
 
 /// Finds bricks that something was changed at since the last step, and what they need. Raises before anything has moved.
@@ -176,6 +179,8 @@ void BrickDynamics::moveBrickOn(Body& b, Brick& shape, const brick::NodalVectors
 	const bool held = shape.joints > 0 && holding == shape.joints;
 	step.released   = shape.whole && !held && !shape.beside.empty();
 	shape.whole     = held;
+	shape.moved     = true;
+	step.changing   = shape.isChanging();
 	// rates of the nodes are for dashpots: of joints that have cracked, and of contact
 	const bool dashpots = !shape.whole || shape.contactStep == scene->iter;
 	if (shape.isDeformable()) {
@@ -221,6 +226,41 @@ void BrickDynamics::takeUpReleased(const Body& b)
 		const bool apart = (b.bound->min.array() > other->bound->max.array()).any() || (other->bound->min.array() > b.bound->max.array()).any();
 		if (!apart || scene->isPeriodic) scene->interactions->insert(b.getId(), id);
 	}
+}
+
+/// Goes on with changes of level, from which the next step begins.
+void BrickDynamics::changeLevels()
+{
+	bool softer = false; // a brick's springs are those of a rigid one again
+	for (std::size_t id = 0; id < steps.size(); ++id) {
+		if (!steps[id].changing) continue;
+		const Body& b       = *(*scene->bodies)[id];
+		Brick&      shape   = static_cast<Brick&>(*b.shape);
+		const auto  before = shape.level;
+		if (!shape.isSettled()) shape.changeLevel(static_cast<const BrickMat&>(*b.material), scene->dt, levelTime);
+		takeUpContactLengths(b, *scene);
+		shape.noteTakenUp();
+		softer = softer || (shape.level != before && !shape.isDeformable());
+		if (shape.level != before) countAnew(b);
+	}
+	if (softer) forgetStepLimit();
+}
+
+/// The stable step of a brick and of those that it touches is not what it was.
+void BrickDynamics::countAnew(const Body& b)
+{
+	static_cast<Brick&>(*b.shape).counted = false;
+	for (const auto& item : b.intrs)
+		if (Brick* const other = asBrick(Body::byId(item.first, scene)->shape)) other->counted = false;
+}
+
+/// The step may grow again.
+void BrickDynamics::forgetStepLimit()
+{
+	for (const auto& b : *scene->bodies)
+		if (Brick* const shape = asBrick(b->shape)) shape->counted = false;
+	stepWatch = StepWatch();
+	if (const auto stepper = scene->engineByName("BrickTimeStepper")) static_cast<BrickTimeStepper&>(*stepper).limit = std::numeric_limits<Real>::infinity();
 }
 
 /// What has to be known before the deformation moves on.
@@ -352,6 +392,7 @@ void BrickDynamics::action()
 	if (guard)
 		if (const auto gain = energyGuard.add(*scene, steps)) alarm = textOf(*gain);
 	if (scene->trackEnergy) book();
+	if (std::any_of(steps.begin(), steps.end(), [](const BodyStep& step) { return step.changing; })) changeLevels();
 	lastStep = scene->iter;
 	lastDt   = scene->dt;
 }

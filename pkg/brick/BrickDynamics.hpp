@@ -23,6 +23,7 @@ Looks after the run: warns, once, when :yref:`O.dt<Omega.dt>` was set by hand ab
 
 While :yref:`O.trackEnergy<Omega.trackEnergy>`, ``O.energy`` gets, besides what YADE books itself (``kinetic``, ``gravWork``, ``nonviscDamp``) [J]: ``elastPotential`` of joints and contacts, ``deformElastic`` and ``deformKinetic`` of the bricks' deformation, and what was taken up to now: ``fracture``, ``plastDissip`` (friction), ``dashpots`` (of joints and contacts), ``deformDamping``, ``contactArea`` (shear of contacts whose area changes: the one amount that may also fall, energy from nothing); less what came in: ``supportWork`` through bodies that forces do not move, ``groundWork`` of :yref:`GroundMotion`. ``kinetic`` is moved on to the present step. ``O.energy.total()`` then stays constant but for the errors of a step; forces that other engines or scripts apply are not in it, and it is not exact over a change of :yref:`O.dt<Omega.dt>`, nor over saving and loading (work of dashpots in half a step).)",
 		((Real, damping, 0, Attr::triggerPostLoad, "Local non-viscous damping of the modes [-], 0 to 1 exclusive, as :yref:`NewtonIntegrator.damping` for the rigid motion; 0 for dynamics."))
+		((Real, levelTime, NaN, Attr::triggerPostLoad, "Time that a brick takes to change its level of deformation in a run [s]; NaN: four periods of the slowest mode of its element; 0: at once, by which forces jump. See :yref:`Brick.share`."))
 		((bool, guard, true, , "Whether to stop when, within at most 1000 steps, joints and contacts have done more work on the bodies than their springs and the bricks held, by ten times all energy there is to be had: the sign of an unstable time step, or of bricks that were put into each other."))
 		((string, stopFile, "stopped.yade.gz", , "File that the scene is saved to when a run is stopped; empty: it is not saved."))
 	);
@@ -56,6 +57,9 @@ private:
 	void give(int id);
 	void checkFree(Body::id_t);
 	void book();
+	void changeLevels();
+	void countAnew(const Body&);
+	void forgetStepLimit();
 	void askForNewBounds(const Body&, const Brick&) const;
 	void dropHeldApart();
 	void takeUpReleased(const Body&);

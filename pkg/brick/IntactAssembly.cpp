@@ -127,6 +127,9 @@ SceneAssembly SceneAssembly::of(Scene& scene)
 	for (const auto& b : *scene.bodies) {
 		Brick* shape = b ? dynamic_cast<Brick*>(b->shape.get()) : nullptr;
 		if (!shape) continue;
+		if (!shape->isSettled())
+			throw std::invalid_argument(brick::message("brick #", b->getId(), " is changing its level of deformation: its stiffness is known after BrickDynamics.levelTime"));
+		if (shape->isChanging()) takeUpContactLengths(*b, scene);
 		places[b->getId()] = int(ids.size());
 		ids.push_back(b->getId());
 		bricks.push_back(assembledBrick(*b, *shape));

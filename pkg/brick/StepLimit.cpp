@@ -13,6 +13,15 @@ namespace {
 	constexpr Real        infinity   = std::numeric_limits<Real>::infinity();
 	constexpr std::size_t mostShared = 10000; // known steps kept: in a heap that never rests, new ones keep coming
 
+	/// Contact lengths when no change of level goes on: while one does, springs are softer.
+	std::array<Real, brick::faceCount> contactLengths(const Brick& shape)
+	{
+		std::array<Real, brick::faceCount> lengths;
+		for (int f = 0; f < brick::faceCount; ++f)
+			lengths[f] = shape.settledContactLength(f);
+		return lengths;
+	}
+
 	Real longest(const std::array<Real, brick::faceCount>& l) { return *std::max_element(l.begin(), l.end()); }
 	Real shortest(const std::array<Real, brick::faceCount>& l) { return *std::min_element(l.begin(), l.end()); }
 
@@ -21,16 +30,20 @@ namespace {
 	/// Largest c/k [s] of the dashpots of a spot, normal or shear.
 	Real dashpotTime(const brick::SpotSprings& k) { return std::max(k.normalDashpot / k.normal, k.shearDashpot / k.shear); }
 
+	Real settledLength(const Brick* shape, int face) { return shape ? shape->settledContactLength(face) : 0; }
+
 	/// The same for what is in touch at present. Faces that come into touch later are counted from the step after.
-	Real dashpotTime(const BrickGeom& geom, const BrickPhys& phys)
+	/// @param bricks of either side; null: a support
+	Real dashpotTime(const BrickGeom& geom, const BrickPhys& phys, const std::array<const Brick*, 2>& bricks)
 	{
-		if (phys.isJoint()) return dashpotTime(phys.joint.springs);
+		const auto timeAt = [&](int face0, int face1) { return dashpotTime(phys.springs().at(settledLength(bricks[0], face0), settledLength(bricks[1], face1))); };
+		if (phys.isJoint()) return timeAt(phys.joint.shape->faces[0].face, phys.joint.shape->faces[1].face);
 		Real longest = 0;
 		if (!geom.contact) return longest;
 		const brick::ContactSpot* last = nullptr; // spots of the same faces stand together
 		for (const auto& spot : geom.contact->spots) {
 			if (last && brick::sameFaces(*last, spot)) continue;
-			longest = std::max(longest, dashpotTime(brick::springsOf(spot, geom.contact->sides[0], geom.contact->sides[1], phys.springs())));
+			longest = std::max(longest, spot.owner == 0 ? timeAt(spot.ownerFace, spot.otherFace) : timeAt(spot.otherFace, spot.ownerFace));
 			last    = &spot;
 		}
 		return longest;
@@ -62,7 +75,7 @@ namespace {
 StepLimit::Partners StepLimit::partnersOf(const Body& b, const Brick& shape, const BrickMat& material, Scene* scene)
 {
 	// at the least its like, which it may meet any time
-	const Real l = shortest(shape.contactLength), l1 = longest(shape.contactLength);
+	const Real l = shortest(contactLengths(shape)), l1 = longest(contactLengths(shape));
 	Partners   p;
 	p.normal = { l * elasticityOf(material).normalCompliance(), infinity };
 	p.shear  = { l * elasticityOf(material).shearCompliance(), infinity };
@@ -78,13 +91,14 @@ StepLimit::Partners StepLimit::partnersOf(const Body& b, const Brick& shape, con
 		const auto* otherMat   = asBrickMat(other->material);
 		const Brick* otherShape = asBrick(other->shape);
 		if (otherShape && otherMat) {
-			normal += shortest(otherShape->contactLength) * elasticityOf(*otherMat).normalCompliance();
-			shear += shortest(otherShape->contactLength) * elasticityOf(*otherMat).shearCompliance();
+			normal += shortest(contactLengths(*otherShape)) * elasticityOf(*otherMat).normalCompliance();
+			shear += shortest(contactLengths(*otherShape)) * elasticityOf(*otherMat).shearCompliance();
 		}
 		p.normal[held] = std::min(p.normal[held], normal);
 		p.shear[held]  = std::min(p.shear[held], shear);
-		p.dashpotTime  = std::max(p.dashpotTime, dashpotTime(*geom, *phys));
-		addCoverage(shape, *geom, *phys, phys->ids[0] == b.getId() ? 0 : 1, p.coverage);
+		const int side = phys->ids[0] == b.getId() ? 0 : 1;
+		p.dashpotTime  = std::max(p.dashpotTime, dashpotTime(*geom, *phys, side == 0 ? std::array<const Brick*, 2> { &shape, otherShape } : std::array<const Brick*, 2> { otherShape, &shape }));
+		addCoverage(shape, *geom, *phys, side, p.coverage);
 	}
 	// what touches a bare face is seen in the step that it does so; a brick that nothing touches may meet its like with any face
 	const bool alone = std::all_of(p.coverage.begin(), p.coverage.end(), [](Real c) { return c == 0; });
@@ -99,7 +113,7 @@ StepLimit::Step StepLimit::stepOf(const Body& b, Brick& shape, const BrickMat& m
 	const brick::InnerPart*                          inner = shape.innerPart(material);
 	std::array<brick::FaceSprings, brick::faceCount> springs;
 	for (int f = 0; f < brick::faceCount; ++f) {
-		const Real l = shape.contactLength[f], n = l * elasticityOf(material).normalCompliance(), s = l * elasticityOf(material).shearCompliance();
+		const Real l = shape.settledContactLength(f), n = l * elasticityOf(material).normalCompliance(), s = l * elasticityOf(material).shearCompliance();
 		springs[f] = { partners.coverage[f] * std::max(2 / (n + partners.normal[0]), 1 / (n + partners.normal[1])),
 			       partners.coverage[f] * std::max(2 / (s + partners.shear[0]), 1 / (s + partners.shear[1])) };
 	}

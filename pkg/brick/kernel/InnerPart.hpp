@@ -18,12 +18,6 @@ struct InnerPartType {
 	Real        thickness   = 0; ///< r of the contact part [m]
 	Real        young = 0, poisson = 0, density = 0;
 	int         cells = 1; ///< elements along each edge, 1 to largestCells; used by Refined only
-
-	/// Whether another differs in nothing but the material.
-	bool hasShapeOf(const InnerPartType& o) const
-	{
-		return corners == o.corners && deformation == o.deformation && element == o.element && inner == o.inner && thickness == o.thickness && cells == o.cells;
-	}
 };
 
 /// Memory of a refined part, once for all bricks of the type: three times its shapes (in `modes` and twice in `columns`), each 3 S (3 S - 6) numbers with
