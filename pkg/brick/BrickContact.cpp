@@ -283,12 +283,20 @@ void takeUpContactLengths(const Body& b, Scene& scene)
 		const Body &first = otherFirst ? *other : b, &second = otherFirst ? b : *other;
 		phys->contactPart = std::min(contactPartOf(first), contactPartOf(second));
 		if (!phys->isJoint()) continue;
-		const auto& shape   = *phys->joint.shape;
-		const auto  springs = shape.pair.at(contactLengthAt(first, shape.faces[0]), contactLengthAt(second, shape.faces[1]));
-		if (!(springs.normal > 0 && springs.shear > 0 && std::isfinite(springs.normal + springs.shear)))
+		const auto& shape = *phys->joint.shape;
+		if (const Real length = static_cast<const Brick&>(*b.shape).settledContactLength(shape.faces[otherFirst].face); shape.pair.mortarThickness > 2 * length)
 			throw std::invalid_argument(brick::message(
-			        "Brick #", b.getId(), ": its contact part is thinner than half of the mortar that joins it to #", item.first, " (Mortar.thickness); a change of its level needs it thicker"));
-		phys->joint.springs = springs;
+			        "Brick #",
+			        b.getId(),
+			        ": its contact part of ",
+			        length,
+			        " m is thinner than half of the mortar that joins it to #",
+			        item.first,
+			        " (Mortar.thickness = ",
+			        shape.pair.mortarThickness,
+			        " m), so it cannot be ",
+			        static_cast<const Brick&>(*b.shape).deformation));
+		phys->joint.springs = shape.pair.at(contactLengthAt(first, shape.faces[0]), contactLengthAt(second, shape.faces[1]));
 	}
 }
 

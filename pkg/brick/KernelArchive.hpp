@@ -29,7 +29,7 @@ namespace serialization {
 		for (int i = 0; i < 2; ++i)
 			ar& make_nvp("normalCompliance", s.normalCompliance[i]) & make_nvp("shearCompliance", s.shearCompliance[i])
 			        & make_nvp("density", s.density[i]);
-		ar& make_nvp("mortarNormal", s.mortarNormal) & make_nvp("mortarShear", s.mortarShear);
+		ar& make_nvp("mortarNormal", s.mortarNormal) & make_nvp("mortarShear", s.mortarShear) & make_nvp("mortarThickness", s.mortarThickness);
 		ar& make_nvp("normalDamping", s.normalDamping) & make_nvp("shearDamping", s.shearDamping) & make_nvp("tanFriction", s.tanFriction);
 	}
 

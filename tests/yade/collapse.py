@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # A wall that collapses, and the fingerprint of a run, for the tests that ask whether two runs are the same to the last bit.
-# As a script it runs the wall and prints the fingerprint:  build/yade -n -x -j2 tests/yade/collapse.py steps verletDist columns courses
+# As a script it runs the wall and prints the fingerprint:  build/yade -n -x -j2 tests/yade/collapse.py steps verletDist columns courses [onDemand]
 #
 # Bricks of all deformation levels stand on a Wall, in weak mortar, under a pulse in and out of the plane that cracks and throws them.
 import hashlib, struct, sys
@@ -28,8 +28,8 @@ def cube(centre, material, level):
 	return b
 
 
-def build(columns=4, courses=4, verletDist=0.):
-	"""The wall at rest, nothing run yet; verletDist [m] as the collider's."""
+def build(columns=4, courses=4, verletDist=0., onDemand=False):
+	"""The wall at rest, nothing run yet; verletDist [m] as the collider's. onDemand: rigid bricks and trilinear ones change into each other, often."""
 	O.reset()
 	mortar = Mortar(tensileStrength=2e3, cohesion=2e3, frictionAngle=.5, compressiveStrength=5e5)
 	O.materials.append(BrickMat(young=9.8e6, poisson=.25, density=DENSITY, frictionAngle=.5, mortar=mortar, dampingRatio=.02))
@@ -46,6 +46,7 @@ def build(columns=4, courses=4, verletDist=0.):
 	                [Ig2_Brick_Brick_BrickGeom(), Ig2_Wall_Brick_BrickGeom()], [Ip2_BrickMat_BrickMat_BrickPhys()], [Law2_BrickGeom_BrickPhys_Mortar()]
 	        ),
 	        BrickTimeStepper(),
+	        *([DeformationOnDemand(utilisation=.3, stress=5e3, interval=5, patience=.02)] if onDemand else []),
 	        BrickDynamics(),
 	        GroundMotion(dt=.1, acceleration=pulse),
 	        NewtonIntegrator(gravity=(0, 0, -9.8), damping=0),
@@ -98,7 +99,7 @@ def fingerprint():
 
 if __name__ == '__main__':
 	steps, verletDist, columns, courses = int(sys.argv[1]), float(sys.argv[2]), int(sys.argv[3]), int(sys.argv[4])
-	build(columns, courses, verletDist)
+	build(columns, courses, verletDist, onDemand=sys.argv[5:] == ['onDemand'])
 	O.run(steps, True)
 	print('threads', O.numThreads)
 	print('failures', sum(failures()))

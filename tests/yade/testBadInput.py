@@ -95,23 +95,6 @@ class Shape(Refused):
 				setattr(shape, name, wrong)
 			self.assertEqual(getattr(shape, name), before)
 
-	def test_deformed_brick_keeps_its_modes(self):
-		collapse.build(1, 1)
-		O.bodies[1].shape.deformation = 'trilinear'
-		O.run(50, True)
-		self.refused(['trilinear', 'deformed', 'new one'], setattr, O.bodies[1].shape, 'deformation', 'rigid')
-
-	def test_brick_loaded_deformed_keeps_its_modes(self):
-		collapse.build(1, 1)
-		O.bodies[1].shape.deformation = 'trilinear'
-		O.run(50, True)
-		with tempfile.NamedTemporaryFile(suffix='.xml') as file:
-			O.save(file.name, quiet=True)
-			for name, value in (('deformation', 'rigid'), ('deformation', 'uniform'), ('deformation', 'refined')):
-				O.load(file.name, quiet=True)
-				self.refused(['deformed', 'cannot change', 'new one'], setattr, O.bodies[1].shape, name, value)
-				O.step()
-
 	def test_loaded_deformation_that_is_not_finite(self):
 		collapse.build(1, 1)
 		O.bodies[1].shape.deformation = 'trilinear'

@@ -9,9 +9,9 @@ folder = os.path.dirname(os.path.abspath(__file__))
 
 class Threads(unittest.TestCase):
 
-	def collapse(self, threads, steps, verletDist, columns, courses, **environment):
+	def collapse(self, threads, *scene, **environment):
 		"""Runs collapse.py in a YADE of its own; dict of what it prints."""
-		scene = ['%g' % x for x in (steps, verletDist, columns, courses)]
+		scene = [str(x) for x in scene]
 		process = run('-n', '-x', '-j%d' % threads, os.path.join(folder, 'collapse.py'), *scene, timeout=600, **environment)
 		self.assertEqual(process.returncode, 0, process.stdout + process.stderr)
 		found = dict(re.findall(r'^(threads|failures|fingerprint) (\w+)$', process.stdout, re.M))
@@ -29,9 +29,11 @@ class Threads(unittest.TestCase):
 	def test_collapse_with_verlet_distance(self):
 		self.check(3000, .02, 4, 4)
 
+	def test_collapse_with_changes_of_level(self):
+		self.check(3000, .02, 4, 4, 'onDemand')
+
 	def test_more_bricks_than_one_thread_moves_alone(self):
 		self.check(250, .02, 16, 14)
-
 
 	def test_collapse_with_other_vector_instructions(self):
 		best = self.collapse(1, 3000, .02, 4, 4)

@@ -282,7 +282,7 @@ namespace {
 	bool same(const PairSprings& a, const PairSprings& b)
 	{
 		return a.normalCompliance == b.normalCompliance && a.shearCompliance == b.shearCompliance && a.density == b.density && a.mortarNormal == b.mortarNormal
-		        && a.mortarShear == b.mortarShear && a.normalDamping == b.normalDamping && a.shearDamping == b.shearDamping && a.tanFriction == b.tanFriction;
+		        && a.mortarShear == b.mortarShear && a.mortarThickness == b.mortarThickness && a.normalDamping == b.normalDamping && a.shearDamping == b.shearDamping && a.tanFriction == b.tanFriction;
 	}
 
 	bool same(const MortarStrength& a, const MortarStrength& b)

@@ -7,6 +7,7 @@ namespace brick {
 
 void PairSprings::setMortar(const Elasticity& mortar, Real thickness)
 {
+	mortarThickness = thickness;
 	mortarNormal = thickness * mortar.normalCompliance() - thickness / 2 * (normalCompliance[0] + normalCompliance[1]);
 	mortarShear  = thickness * mortar.shearCompliance() - thickness / 2 * (shearCompliance[0] + shearCompliance[1]);
 }

@@ -42,6 +42,7 @@ struct PairSprings {
 	std::array<Real, 2> density { 0, 0 };          ///< [kg/m3]; zero for a support
 	Real                mortarNormal  = 0;         ///< what the mortar adds to 1/kn [m/Pa], eq. (2)
 	Real                mortarShear   = 0;         ///< what the mortar adds to 1/ks [m/Pa]
+	Real                mortarThickness = 0;       ///< of which a half is taken from the contact length of each side [m]
 	Real                normalDamping = 0;         ///< hn of eq. (4)
 	Real                shearDamping  = 0;         ///< hs of eq. (4)
 	Real                tanFriction   = 0;         ///< tan(phi) of contact, eq. (9)
