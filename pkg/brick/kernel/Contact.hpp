@@ -59,7 +59,7 @@ struct ContactMemory {
 /// Springs of a spot, by the contact lengths of the two faces.
 SpotSprings springsOf(const ContactSpot& spot, const Side& side0, const Side& side1, const PairSprings& pair);
 
-/// Forces of all spots on both bodies; `memory` is replaced by the present tractions, `scratch` is working space. Nothing is allocated for loads that have had
+/// Forces of all spots on both bodies; `memory` is replaced by the present tractions (none without friction), `scratch` is working space. Nothing is allocated for loads that have had
 /// the sizes of the two surfaces before.
 void contactLoads(
         const Side&                     side0,
@@ -70,7 +70,8 @@ void contactLoads(
         ContactMemory&                  memory,
         ContactMemory&                  scratch,
         std::array<Loads, 2>&           loads,
-        PairSummary&                    sum);
+        PairSummary&                    sum,
+        const LawTerms&                 terms = {});
 
 /// How deep the centre of pressure of a spot is below the other's face [m]: this times the mean penetration is the mean of its square.
 Real pressedDepth(const ContactSpot&, const Side& other);
