@@ -24,8 +24,9 @@ namespace {
 	/// The same for what is in touch at present. Faces that come into touch later are counted from the step after.
 	Real dashpotTime(const BrickGeom& geom, const BrickPhys& phys)
 	{
-		if (phys.isJoint()) return dashpotTime(phys.joint.shape->springs);
 		Real longest = 0;
+		if (!phys.damped) return longest;
+		if (phys.isJoint()) return dashpotTime(phys.joint.shape->springs);
 		if (!geom.contact) return longest;
 		const brick::ContactSpot* last = nullptr; // spots of the same faces stand together
 		for (const auto& spot : geom.contact->spots) {
@@ -59,6 +60,18 @@ namespace {
 
 } // namespace
 
+/// Whether a brick that nothing touches is to be counted with dashpots: not in a scene whose law has none, as its joints and contacts show.
+bool StepLimit::lawHasDashpots(const Scene& scene)
+{
+	if (!dashpots) {
+		bool any = false, none = true;
+		for (const auto& I : *scene.interactions)
+			if (const auto* phys = asBrickPhys(I->phys)) none = false, any |= phys->damped;
+		dashpots = any || none;
+	}
+	return *dashpots;
+}
+
 StepLimit::Partners StepLimit::partnersOf(const Body& b, const Brick& shape, const BrickMat& material, Scene* scene)
 {
 	// at the least its like, which it may meet any time
@@ -67,7 +80,8 @@ StepLimit::Partners StepLimit::partnersOf(const Body& b, const Brick& shape, con
 	p.normal = { l * elasticityOf(material).normalCompliance(), infinity };
 	p.shear  = { l * elasticityOf(material).shearCompliance(), infinity };
 	p.coverage.fill(0);
-	p.dashpotTime = dashpotTime(pairSprings(material, false, material).at(l1, l1));
+	p.dashpotTime = 0;
+	bool alone = true, damped = false;
 	for (const auto& item : b.intrs) {
 		const auto* phys = asBrickPhys(item.second->phys);
 		if (!phys || !item.second->geom) continue;
@@ -84,12 +98,14 @@ StepLimit::Partners StepLimit::partnersOf(const Body& b, const Brick& shape, con
 		p.normal[held] = std::min(p.normal[held], normal);
 		p.shear[held]  = std::min(p.shear[held], shear);
 		p.dashpotTime  = std::max(p.dashpotTime, dashpotTime(*geom, *phys));
+		alone = false, damped |= phys->damped;
 		addCoverage(shape, *geom, *phys, phys->ids[0] == b.getId() ? 0 : 1, p.coverage);
 	}
+	if (alone ? lawHasDashpots(*scene) : damped) p.dashpotTime = std::max(p.dashpotTime, dashpotTime(pairSprings(material, false, material).at(l1, l1)));
 	// what touches a bare face is seen in the step that it does so; a brick that nothing touches may meet its like with any face
-	const bool alone = std::all_of(p.coverage.begin(), p.coverage.end(), [](Real c) { return c == 0; });
+	const bool bare = std::all_of(p.coverage.begin(), p.coverage.end(), [](Real c) { return c == 0; });
 	for (auto& c : p.coverage)
-		if (alone || c > 0) c = atLeastOnce(c);
+		if (bare || c > 0) c = atLeastOnce(c);
 	return p;
 }
 
@@ -138,6 +154,7 @@ void StepLimit::count(const Body& b, Brick& shape, const BrickMat& material, Sce
 void StepLimit::update(Scene& scene)
 {
 	known.resize(scene.bodies->size());
+	dashpots.reset();
 	for (const auto& b : *scene.bodies) {
 		Brick*      shape    = asBrick(b->shape);
 		const auto* material = asBrickMat(b->material);

@@ -5,6 +5,7 @@
 #include "BrickContact.hpp"
 
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace yade {
@@ -42,9 +43,12 @@ private:
 	std::vector<Known>                known;  // by id
 	std::map<std::vector<Real>, Step> shared; // steps of bricks alike
 
-	static Partners partnersOf(const Body&, const Brick&, const BrickMat&, Scene*);
-	Step            stepOf(const Body&, Brick&, const BrickMat&, const Partners&);
-	void            count(const Body&, Brick&, const BrickMat&, Scene*);
+	std::optional<bool>               dashpots; // see lawHasDashpots; found once in an update, if it is asked for
+
+	bool     lawHasDashpots(const Scene&);
+	Partners partnersOf(const Body&, const Brick&, const BrickMat&, Scene*);
+	Step     stepOf(const Body&, Brick&, const BrickMat&, const Partners&);
+	void     count(const Body&, Brick&, const BrickMat&, Scene*);
 };
 
 } // namespace yade
