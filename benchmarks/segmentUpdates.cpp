@@ -218,7 +218,8 @@ void contactWith(benchmark::State& state, const brick::LawTerms& terms)
 	for (auto& place : places)
 		place.displacement = place.displacementRate = still.data();
 	places[1].position = { 0, 0, edge - pressed }, places[1].velocity = { .1, 0, 0 };
-	const brick::Side lower { &solid, &contactLength, int(state.range(0)), false, places[0] }, upper { &solid, &contactLength, int(state.range(0)), false, places[1] };
+	const int         segments = int(state.range(0));
+	const brick::Side lower { &solid, &contactLength, segments, false, places[0] }, upper { &solid, &contactLength, segments, false, places[1] };
 	std::vector<brick::ContactSpot> spots;
 	brick::findContact(lower, upper, spots);
 	brick::ContactMemory        memory, scratch;

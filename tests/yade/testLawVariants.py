@@ -42,7 +42,7 @@ def build(mortar={}, **attributes):
 
 
 def run(steps):
-	"""True dt of each step [s]."""
+	"""dt of each step [s]."""
 	out = []
 	for _ in range(steps):
 		O.step()
@@ -177,7 +177,8 @@ class Energy(unittest.TestCase):
 			self.assertEqual([energy[entry[term]] for term in off], [0] * len(off), off)
 			self.assertTrue(all(energy[e] != 0 for t, e in entry.items() if t not in off), energy)
 			turned = sum(abs(e) for e in energy.values())
-			self.assertLess(abs(O.energy.total() - total), 1e-2 * turned, '%s: %s' % (off, energy))  # as of the full law, see testLedger of the hard cases
+			# as with the full law, see stability/testLedger.py: the step in which a joint or contact closes is not linear
+			self.assertLess(abs(O.energy.total() - total), 1e-2 * turned, '%s: %s' % (off, energy))
 
 
 class Kept(unittest.TestCase):

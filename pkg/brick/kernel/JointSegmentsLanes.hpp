@@ -72,7 +72,7 @@ template <bool friction, bool dashpots> BRICK_INLINE void setContact(const Lanes
 		w1 += s.springs.shearDashpot * (moving * at(s.rate.tangent1, g.p, g.q, g.pq));
 		w2 += s.springs.shearDashpot * (moving * at(s.rate.tangent2, g.p, g.q, g.pq));
 	}
-	const Lanes kept        = shortening(root(w1 * w1 + w2 * w2), limit); // without dashpots round-off, by which the variant with them differs where they are zero
+	const Lanes kept        = shortening(root(w1 * w1 + w2 * w2), limit); // without dashpots all but 1; as with dashpots of zero, to the last bit
 	const Real  flexibility = 1 / s.springs.shear;
 	g.slip1 -= e1 * flexibility, g.slip2 -= e2 * flexibility;
 	g.t1 = w1 * kept, g.t2 = w2 * kept;
