@@ -213,8 +213,12 @@ void contactWith(benchmark::State& state, const brick::LawTerms& terms)
 	brick::PairSprings springs;
 	springs.normalCompliance = { 1e-7, 1e-7 }, springs.shearCompliance = { 2.5e-7, 2.5e-7 }, springs.density = { 1800, 1800 };
 	springs.normalDamping = springs.shearDamping = .1, springs.tanFriction = .625;
-	const brick::Nodes   still = [] { brick::Nodes n; n.fill(brick::Vector3r::Zero()); return n; }();
-	brick::Placement     places[2];
+	const brick::Nodes still = [] {
+		brick::Nodes n;
+		n.fill(brick::Vector3r::Zero());
+		return n;
+	}();
+	brick::Placement places[2];
 	for (auto& place : places)
 		place.displacement = place.displacementRate = still.data();
 	places[1].position = { 0, 0, edge - pressed }, places[1].velocity = { .1, 0, 0 };

@@ -449,7 +449,7 @@ void Law2_BrickGeom_BrickPhys_Mortar::applyContact(BrickGeom& geom, BrickPhys& p
 	const auto&                       sides = geom.contact->sides;
 	auto&                             contact = *phys.contact;
 	auto&                             loads = contact.loads;
-	const brick::LawTerms             terms = termsOf(phys);
+	const brick::LawTerms             terms   = termsOf(phys);
 	brick::contactLoads(sides[0], sides[1], geom.contact->spots, contact.springs, scene->dt, contact.memory, scratch, loads, sum, terms);
 	if (PairLedger* const ledger = ledgerOf(phys)) {
 		ledger->contact.add(sides[0], sides[1], geom.contact->spots, contact.springs, scene->dt, contact.memory, terms);

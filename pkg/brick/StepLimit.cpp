@@ -98,7 +98,7 @@ StepLimit::Partners StepLimit::partnersOf(const Body& b, const Brick& shape, con
 		p.normal[held] = std::min(p.normal[held], normal);
 		p.shear[held]  = std::min(p.shear[held], shear);
 		p.dashpotTime  = std::max(p.dashpotTime, dashpotTime(*geom, *phys));
-		alone = false, damped |= phys->damped;
+		alone          = false, damped |= phys->damped;
 		addCoverage(shape, *geom, *phys, phys->ids[0] == b.getId() ? 0 : 1, p.coverage);
 	}
 	if (alone ? lawHasDashpots(*scene) : damped) p.dashpotTime = std::max(p.dashpotTime, dashpotTime(pairSprings(material, false, material).at(l1, l1)));

@@ -43,7 +43,7 @@ private:
 	std::vector<Known>                known;  // by id
 	std::map<std::vector<Real>, Step> shared; // steps of bricks alike
 
-	std::optional<bool>               dashpots; // see lawHasDashpots; found once in an update, if it is asked for
+	std::optional<bool> dashpots; // see lawHasDashpots; found once in an update, if it is asked for
 
 	bool     lawHasDashpots(const Scene&);
 	Partners partnersOf(const Body&, const Brick&, const BrickMat&, Scene*);

@@ -35,7 +35,8 @@ bool same(const Real* a, const Real* b, std::size_t count) { return std::memcmp(
 bool same(const Vector3r& a, const Vector3r& b) { return same(a.data(), b.data(), 3); }
 bool same(const SegmentSums& a, const SegmentSums& b)
 {
-	return same(&a.force.normal[0], &b.force.normal[0], sizeof(SegmentField) / sizeof(Real)) && same(&a.penetration, &b.penetration, 1) && a.anyFailed == b.anyFailed;
+	return same(&a.force.normal[0], &b.force.normal[0], sizeof(SegmentField) / sizeof(Real)) && same(&a.penetration, &b.penetration, 1)
+	        && a.anyFailed == b.anyFailed;
 }
 bool same(const JointSegments& a, const JointSegments& b)
 {
@@ -50,7 +51,8 @@ bool same(const Loads& a, const Loads& b)
 }
 bool same(const PairSummary& a, const PairSummary& b)
 {
-	return same(a.normalForce, b.normalForce) && same(a.shearForce, b.shearForce) && same(a.point, b.point) && same(a.normal, b.normal) && same(&a.kn, &b.kn, 4);
+	return same(a.normalForce, b.normalForce) && same(a.shearForce, b.shearForce) && same(a.point, b.point) && same(a.normal, b.normal)
+	        && same(&a.kn, &b.kn, 4);
 }
 
 // Sweeps
@@ -185,7 +187,7 @@ std::array<Body, 2> halfOverHalf(int cells)
 /// Puts a body, deformed, near where it was, and has it move.
 void shake(Body& b, const Body& from, Real size, pairs::Random& random)
 {
-	b = from;
+	b              = from;
 	b.displacement = random.nodes(size), b.rate = random.nodes(1e3 * size);
 	if (b.cells > 1) b.refine(b.cells);
 	b.move(random.vector(4 * size), random.vector(size), from.placement.position);
@@ -194,7 +196,7 @@ void shake(Body& b, const Body& from, Real size, pairs::Random& random)
 
 PairSprings damped()
 {
-	PairSprings s = pairs::springs();
+	PairSprings s   = pairs::springs();
 	s.normalDamping = s.shearDamping = .3;
 	return s;
 }
@@ -215,14 +217,16 @@ TEST(JointTermsTest, joint_without_a_term_is_bitwise_the_full_one_where_the_term
 		for (const LawTerms& variant : variants()) {
 			pairs::Random random(3);
 			const auto    bodies = halfOverHalf(cells);
-			JointPair     lean(bodies[0], bodies[1], weak, damped()), full(bodies[0], bodies[1], variant.failure ? weak : unbreakable, vanishing(damped(), variant));
-			int           failed = 0;
+			JointPair     lean(bodies[0], bodies[1], weak, damped()),
+			        full(bodies[0], bodies[1], variant.failure ? weak : unbreakable, vanishing(damped(), variant));
+			int failed = 0;
 			for (int step = 0; step < 40; ++step) {
 				if (step == 10) pairs::fail(lean.joint, 3, SegmentState::Shear), pairs::fail(full.joint, 3, SegmentState::Shear);
 				shake(lean.first, bodies[0], step < 10 ? 2e-8 : 5e-7, random), shake(lean.second, bodies[1], step < 10 ? 2e-8 : 5e-7, random);
 				full.first = lean.first, full.second = lean.second;
 				const auto a = lean.step(variant), b = full.step();
-				ASSERT_TRUE(same(a.loads[0], b.loads[0]) && same(a.loads[1], b.loads[1]) && same(a.sum, b.sum)) << named(variant) << ", step " << step;
+				ASSERT_TRUE(same(a.loads[0], b.loads[0]) && same(a.loads[1], b.loads[1]) && same(a.sum, b.sum))
+				        << named(variant) << ", step " << step;
 				ASSERT_EQ(a.failures.total(), b.failures.total());
 				for (std::size_t i = 0; i < lean.joint.segments.size(); ++i)
 					ASSERT_TRUE(same(lean.joint.segments[i], full.joint.segments[i]));
@@ -252,7 +256,7 @@ TEST(JointTermsTest, joint_that_cannot_fail_is_linear_far_beyond_its_strength)
 			EXPECT_LT((once.loads[1].force - f).norm(), 1e-3 * f.norm()); // the joint's axes turn by 5e-5
 			const Real rows = segments, deepest = -moved[2] + 1e-4 * edge / 2 * (rows - 1) / rows;
 			EXPECT_NEAR(once.sum.penetration, deepest, 1e-3 * std::abs(deepest)); // of an outermost segment's middle; likewise
-			EXPECT_GT(pair.step().failures.total(), 0); // as soon as it can
+			EXPECT_GT(pair.step().failures.total(), 0);                           // as soon as it can
 		}
 }
 
@@ -306,7 +310,8 @@ std::vector<std::array<Body, 2>> touching()
 	for (int cells : { 1, 2 })
 		for (int tilted : { 0, 1 })
 			for (bool support : { false, true }) {
-				Body lower = support ? Body::slab({ 3, 3, edge }, { 0, 0, 0 }) : Body::cube({ 0, 0, 0 }, 5), upper = Body::cube({ .01, .03, edge - 2e-5 }, 4);
+				Body lower = support ? Body::slab({ 3, 3, edge }, { 0, 0, 0 }) : Body::cube({ 0, 0, 0 }, 5),
+				     upper = Body::cube({ .01, .03, edge - 2e-5 }, 4);
 				if (tilted) upper.move({ .01, 5e-3, .4 }, { 0, 0, 5e-4 }, upper.placement.position);
 				lower.deformable = !support, upper.deformable = true;
 				if (cells > 1) upper.refine(cells);
@@ -327,7 +332,7 @@ TEST(ContactTermsTest, contact_without_a_term_is_bitwise_the_full_one_where_the_
 			if (bodies[0].support) lean.springs = pairs::onSupport(lean.springs, 0);
 			Touch full   = lean;
 			full.springs = vanishing(lean.springs, variant);
-			int spots = 0;
+			int spots    = 0;
 			for (int step = 0; step < 20; ++step) {
 				shake(lean.first, bodies[0], 1e-6, random), shake(lean.second, bodies[1], 1e-6, random);
 				full.first = lean.first, full.second = lean.second;

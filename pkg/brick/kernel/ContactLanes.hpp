@@ -149,7 +149,8 @@ struct SpotTractions {
 	Lanes   pressure;
 	Vectors all;
 
-	template <bool friction, bool dashpots, class Cells> BRICK_INLINE void set(const Run& run, const SpotLanes& s, int first, Vector3r* tractions, Cells& cells)
+	template <bool friction, bool dashpots, class Cells>
+	BRICK_INLINE void set(const Run& run, const SpotLanes& s, int first, Vector3r* tractions, Cells& cells)
 	{
 		Vectors sliding;
 		Lanes   pushing = run.springs.normal * s.penetration;
@@ -341,7 +342,13 @@ void addLoads(
 			while (end < spots.size() && sameFaces(spots[first], spots[end]))
 				++end;
 			const Run run(
-			        bodies, &spots[first], int(end - first), springsOf(spots[first], side0, side1, pair), pair.tanFriction, dt, terms.friction || terms.dashpots);
+			        bodies,
+			        &spots[first],
+			        int(end - first),
+			        springsOf(spots[first], side0, side1, pair),
+			        pair.tanFriction,
+			        dt,
+			        terms.friction || terms.dashpots);
 			Vector3r* const shear = terms.friction ? tractions + first : nullptr;
 			RunSums         lane;
 			if (run.ownerCells || run.otherCells) addGroupsWith<CellsOfSpots>(terms, run, shear, loads[owner], loads[!owner], lane);

@@ -99,8 +99,14 @@ namespace {
 	}
 
 	/// @param moving null when the rate does not matter: all segments hold, or there are no dashpots
-	SegmentSweep sweepOf(
-	        const Joint& joint, const JointMotion& m, int patch, const JointAxes& axes, const JointPlacements* moving, Real tanFriction, const LawTerms& terms)
+	SegmentSweep
+	sweepOf(const Joint&           joint,
+	        const JointMotion&     m,
+	        int                    patch,
+	        const JointAxes&       axes,
+	        const JointPlacements* moving,
+	        Real                   tanFriction,
+	        const LawTerms&        terms)
 	{
 		SegmentSweep sweep;
 		sweep.opening = openingOf(joint, m.patches[patch], axes);
