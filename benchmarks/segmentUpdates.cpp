@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How fast cracked joints are beside what the same core can do: updated segments a second, and the peak rate of double-precision multiply-adds.
-// All that touches the kernel's joints is in CrackedJoints.
-#include <pkg/brick/kernel/Joint.hpp>
+// All that touches the kernel's joints is in CrackedJoints. Then the same without what the law can leave out, and contact likewise.
+#include <pkg/brick/kernel/Contact.hpp>
 
 #include <benchmark/benchmark.h>
 
@@ -66,6 +66,9 @@ public:
 		return long(jointCount) * segments * segments;
 	}
 
+	/// From now on.
+	void compute(const brick::LawTerms& wanted) { terms = wanted; }
+
 	/// What `update` does for the faces alone, whatever the number of segments.
 	void moveFaces()
 	{
@@ -121,7 +124,7 @@ private:
 		jointMotion(join.joint, lower, upper, join.motion);
 		const brick::JointPlacements moving { lower, upper };
 		join.sum        = brick::PairSummary();
-		join.failed += jointLoads(join.joint, join.motion, &moving, tanFriction, join.loads, join.sum).total();
+		join.failed += jointLoads(join.joint, join.motion, &moving, tanFriction, join.loads, join.sum, nullptr, terms).total();
 	}
 
 	/// The joint above a cube, cracked by turning the upper cube about a diagonal: the segment in one corner stays pressed, by one and a half times what the joint
@@ -143,6 +146,7 @@ private:
 	}
 
 	int                        segments;
+	brick::LawTerms            terms;
 	bool                       forth = false;
 	brick::Hexahedron          solid { brick::cuboidCorners(brick::Vector3r::Constant(edge)) };
 	std::array<brick::Real, 6> contactLength;
@@ -176,6 +180,65 @@ void facesOfTheSameJoints(benchmark::State& state)
 	state.counters["nanosecondsPerJoint"] = perJoint();
 }
 BENCHMARK(facesOfTheSameJoints)->Unit(benchmark::kMicrosecond);
+
+// What the law leaves out
+
+constexpr brick::LawTerms everything, noFailure { false, true, true }, noFriction { true, false, true }, noDashpots { true, true, false },
+        nothing { false, false, false };
+
+void jointsWith(benchmark::State& state, const brick::LawTerms& terms)
+{
+	CrackedJoints joints(4);
+	if (!joints.cracked()) return state.SkipWithError("joints are not cracked as they should be");
+	joints.compute(terms);
+	long updated = 0;
+	for (auto _ : state)
+		updated += joints.update();
+	state.SetItemsProcessed(updated);
+	state.counters["nanosecondsPerJoint"] = perJoint();
+}
+BENCHMARK_CAPTURE(jointsWith, everything, everything)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(jointsWith, noFailure, noFailure)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(jointsWith, noFriction, noFriction)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(jointsWith, noDashpots, noDashpots)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(jointsWith, nothing, nothing)->Unit(benchmark::kMicrosecond);
+
+/// A cube on a cube, pressed and sliding: the loads of spots that have been found.
+void contactWith(benchmark::State& state, const brick::LawTerms& terms)
+{
+	constexpr double           edge = .2, pressed = 1e-6, dt = 1e-5;
+	const brick::Hexahedron    solid(brick::cuboidCorners(brick::Vector3r::Constant(edge)));
+	std::array<brick::Real, 6> contactLength;
+	contactLength.fill(5e-3);
+	brick::PairSprings springs;
+	springs.normalCompliance = { 1e-7, 1e-7 }, springs.shearCompliance = { 2.5e-7, 2.5e-7 }, springs.density = { 1800, 1800 };
+	springs.normalDamping = springs.shearDamping = .1, springs.tanFriction = .625;
+	const brick::Nodes still = [] {
+		brick::Nodes n;
+		n.fill(brick::Vector3r::Zero());
+		return n;
+	}();
+	brick::Placement places[2];
+	for (auto& place : places)
+		place.displacement = place.displacementRate = still.data();
+	places[1].position = { 0, 0, edge - pressed }, places[1].velocity = { .1, 0, 0 };
+	const int         segments = int(state.range(0));
+	const brick::Side lower { &solid, &contactLength, segments, false, places[0] }, upper { &solid, &contactLength, segments, false, places[1] };
+	std::vector<brick::ContactSpot> spots;
+	brick::findContact(lower, upper, spots);
+	brick::ContactMemory        memory, scratch;
+	std::array<brick::Loads, 2> loads;
+	for (auto _ : state) {
+		brick::PairSummary sum;
+		brick::contactLoads(lower, upper, spots, springs, dt, memory, scratch, loads, sum, terms);
+		benchmark::DoNotOptimize(sum);
+	}
+	state.SetItemsProcessed(long(spots.size()) * state.iterations());
+}
+BENCHMARK_CAPTURE(contactWith, everything, everything)->Arg(4)->Arg(10);
+BENCHMARK_CAPTURE(contactWith, noFriction, noFriction)->Arg(4)->Arg(10);
+BENCHMARK_CAPTURE(contactWith, noDashpots, noDashpots)->Arg(4)->Arg(10);
+BENCHMARK_CAPTURE(contactWith, nothing, nothing)->Arg(4)->Arg(10);
 
 // Peak: independent chains of multiply-adds, more than the latency of one needs
 

@@ -408,11 +408,11 @@ namespace {
 	}
 
 	/// The last segment has failed: the pair goes on as an ordinary contact, with the same shear, and with the joint's forces in this step.
-	void endJoint(const brick::Side& side0, const brick::Side& side1, BrickGeom& geom, BrickPhys& phys)
+	void endJoint(const brick::Side& side0, const brick::Side& side1, const brick::LawTerms& terms, BrickGeom& geom, BrickPhys& phys)
 	{
-		phys.contact               = std::make_shared<OrdinaryContact>();
-		phys.contact->springs      = phys.springs();
-		phys.contact->memory       = brick::tractionsOfJoint(phys.joint, geom.motion, phys.springs().tanFriction, side0, side1);
+		phys.contact          = std::make_shared<OrdinaryContact>();
+		phys.contact->springs = phys.springs();
+		if (terms.friction) phys.contact->memory = brick::tractionsOfJoint(phys.joint, geom.motion, phys.springs().tanFriction, side0, side1);
 		phys.contact->failureModes = phys.segmentState();
 		for (int side = 0; side < 2; ++side) {
 			brick::Loads&      loads = phys.contact->loads[side];
@@ -442,19 +442,34 @@ PairLedger* Law2_BrickGeom_BrickPhys_Mortar::ledgerOf(BrickPhys& phys) const
 	return phys.ledger.get();
 }
 
+/// What is computed of an interaction in this step.
+brick::LawTerms Law2_BrickGeom_BrickPhys_Mortar::termsOf(BrickPhys& phys) const
+{
+	if (phys.damped != dashpots) {
+		phys.damped = dashpots;
+		for (const Body::id_t id : phys.ids)
+			if (Brick* shape = asBrick(Body::byId(id, scene)->shape)) {
+#pragma omp atomic write
+				shape->counted = false; // dashpots bear on the time step
+			}
+	}
+	return brick::LawTerms { failure, friction, dashpots }.neededBy(phys.springs());
+}
+
 void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phys)
 {
 	const Stopwatch                       watch(jointSeconds);
 	const Body &                          first = *Body::byId(phys.ids[0], scene), &second = *Body::byId(phys.ids[1], scene);
 	brick::PairSummary                    sum;
 	std::optional<brick::JointPlacements> moving;
-	if (!phys.joint.holds()) {
+	const brick::LawTerms                 terms = termsOf(phys);
+	if (terms.dashpots && !phys.joint.holds()) {
 		const Vector3r& at = second.state->pos;
 		moving             = { sideOfBody(first, geom.supportSolid, at).placement, sideOfBody(second, geom.supportSolid, at).placement };
 	}
 	PairLedger* const ledger = ledgerOf(phys);
-	const auto        failures
-	        = brick::jointLoads(phys.joint, geom.motion, moving ? &*moving : nullptr, phys.springs().tanFriction, phys.loads, sum, ledger ? &ledger->joint : nullptr);
+	const auto        failures = brick::jointLoads(
+                phys.joint, geom.motion, moving ? &*moving : nullptr, phys.springs().tanFriction, phys.loads, sum, ledger ? &ledger->joint : nullptr, terms);
 	if (ledger) ledger->energy = ledger->joint.energy;
 	if (phys.joint.shape->faces[0].face < 0) phys.loads.torque[0] += (geom.origin - first.state->pos).cross(phys.loads.forceOn(0));
 	fillReport(sum, geom.origin, geom, phys);
@@ -465,7 +480,9 @@ void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phy
 	shearFailures += failures.shear;
 #pragma omp atomic
 	compressionFailures += failures.compression;
-	if (phys.joint.intact() == 0) endJoint(sideOfBody(first, geom.supportSolid, second.state->pos), sideOfBody(second, geom.supportSolid, second.state->pos), geom, phys);
+	if (phys.joint.intact() > 0) return;
+	const Vector3r& at = second.state->pos;
+	endJoint(sideOfBody(first, geom.supportSolid, at), sideOfBody(second, geom.supportSolid, at), terms, geom, phys);
 }
 
 void Law2_BrickGeom_BrickPhys_Mortar::applyContact(BrickGeom& geom, BrickPhys& phys)
@@ -476,9 +493,10 @@ void Law2_BrickGeom_BrickPhys_Mortar::applyContact(BrickGeom& geom, BrickPhys& p
 	const auto&                       sides = geom.contact->sides;
 	auto&                             contact = *phys.contact;
 	auto&                             loads = contact.loads;
-	brick::contactLoads(sides[0], sides[1], geom.contact->spots, contact.springs, scene->dt, contact.memory, scratch, loads, sum);
+	const brick::LawTerms             terms   = termsOf(phys);
+	brick::contactLoads(sides[0], sides[1], geom.contact->spots, contact.springs, scene->dt, contact.memory, scratch, loads, sum, terms);
 	if (PairLedger* const ledger = ledgerOf(phys)) {
-		ledger->contact.add(sides[0], sides[1], geom.contact->spots, contact.springs, scene->dt, contact.memory);
+		ledger->contact.add(sides[0], sides[1], geom.contact->spots, contact.springs, scene->dt, contact.memory, terms);
 		ledger->energy = ledger->contact.energy;
 	}
 	if (sides[0].support) loads[0].torque += (sides[0].placement.position - Body::byId(phys.ids[0], scene)->state->pos).cross(loads[0].force);

@@ -72,7 +72,8 @@ public:
 	// what this interaction does to its two bodies in the present step; side 0 as in BrickGeom
 	std::array<Body::id_t, 2> ids { -1, -1 };
 	brick::JointLoads         loads;     // of a joint
-	long                      step = -1; // in which they were computed
+	long                      step   = -1;   // in which they were computed
+	bool                      damped = true; // whether the law of that step has dashpots: for StepLimit
 
 	std::unique_ptr<PairLedger> ledger; // null unless energy is tracked
 
@@ -203,7 +204,12 @@ public:
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS(Law2_BrickGeom_BrickPhys_Mortar, LawFunctor, R"(Mortar that cracks segment by segment, and contact with friction and dashpots [Furukawa2014]_, eqs. (4)-(9).
 
-In a joint that has cracked a segment also fails in tension when its edge opens beyond the strength, or the last row would be a hinge. When the last segment of a joint has failed, the pair goes on as an ordinary contact with the same shear. The law computes what each interaction does; :yref:`BrickDynamics` adds it up.)",
+In a joint that has cracked a segment also fails in tension when its edge opens beyond the strength, or the last row would be a hinge. When the last segment of a joint has failed, the pair goes on as an ordinary contact with the same shear. The law computes what each interaction does; :yref:`BrickDynamics` adds it up.
+
+What a study can do without is left out by :yref:`failure<Law2_BrickGeom_BrickPhys_Mortar.failure>`, :yref:`friction<Law2_BrickGeom_BrickPhys_Mortar.friction>` and :yref:`dashpots<Law2_BrickGeom_BrickPhys_Mortar.dashpots>`: each chooses a variant of the loops over segments that has no trace of it. A pair without friction (angle 0) or without damping (hn = hs = 0) has the leaner variant by itself. All three may be changed in mid-run, between steps.)",
+		((bool, failure, true, , "Whether segments of mortar fail, eqs. (6)-(8). False: those that hold are elastic whatever the load, as in a study of vibrations or of elastic stresses; a segment that has failed stays failed, and a joint all of whose segments have failed stays an ordinary contact. Switched on again, what is beyond its strength fails in the next step."))
+		((bool, friction, true, , "Whether contacts and failed segments of joints carry shear, eq. (9). False: they are smooth, as one takes them for a limit case or where nothing slides; mortar that holds still carries shear, and :yref:`Mortar.frictionAngle` still counts in its strength, eq. (7). Switched off, their shear is gone with the next step; switched on again, it grows from zero."))
+		((bool, dashpots, true, , "Whether contacts and failed segments of joints have dashpots, eq. (4). False: only friction, failure and the bricks' own damping take energy; :yref:`BrickTimeStepper` then allows the longer step of a pair without damping. hn and hs of the materials stay as they are."))
 		((long, tensionFailures, 0, Attr::readonly, "Segments failed in tension so far, eq. (6)."))
 		((long, shearFailures, 0, Attr::readonly, "Segments failed in shear so far, eq. (7)."))
 		((long, compressionFailures, 0, Attr::readonly, "Segments failed in compression so far, eq. (8)."))
@@ -214,9 +220,10 @@ In a joint that has cracked a segment also fails in tension when its edge opens 
 	// clang-format on
 
 private:
-	void        applyJoint(BrickGeom&, BrickPhys&);
-	void        applyContact(BrickGeom&, BrickPhys&);
-	PairLedger* ledgerOf(BrickPhys&) const;
+	void            applyJoint(BrickGeom&, BrickPhys&);
+	void            applyContact(BrickGeom&, BrickPhys&);
+	PairLedger*     ledgerOf(BrickPhys&) const;
+	brick::LawTerms termsOf(BrickPhys&) const;
 };
 REGISTER_SERIALIZABLE(Law2_BrickGeom_BrickPhys_Mortar);
 

@@ -4,7 +4,10 @@
 
 #include "BrickContact.hpp"
 
+#include "kernel/StableStep.hpp"
+
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace yade {
@@ -19,32 +22,38 @@ public:
 	void update(Scene&);
 
 private:
-	/// Stiffest partners that one brick has joints or contact with: compliance per area beyond the brick's own [m/Pa], of bodies that move and of bodies that are held.
-	struct Partners {
-		std::array<Real, 2>                normal, shear; // moving, held
-		Real                               dashpotTime;
-		std::array<Real, brick::faceCount> coverage; // how often each face is covered at present: 0 where bare, otherwise 1, or more where partners overlap
-		bool                               operator==(const Partners& o) const
+	static constexpr Real infinity = std::numeric_limits<Real>::infinity();
+
+	/// The stiffest that one face of a brick has joints or contact with: compliance per area beyond the brick's own [m/Pa], of bodies that move and of bodies that
+	/// are held.
+	struct FacePartners {
+		std::array<Real, 2> normal { infinity, infinity }, shear { infinity, infinity }; // moving, held
+		Real                dashpotTime = 0;                                             // longest c/k [s]
+		Real                coverage    = 0; // how often it is covered at present: 0 where bare, otherwise 1, or more where partners overlap
+		bool                operator==(const FacePartners& o) const
 		{
 			return normal == o.normal && shear == o.shear && dashpotTime == o.dashpotTime && coverage == o.coverage;
 		}
 	};
-	struct Step {
-		Real seconds = std::numeric_limits<Real>::infinity();
-		int  face    = -1;
-	};
+	using Partners = std::array<FacePartners, brick::faceCount>;
 	/// What a brick was counted with.
 	struct Known {
 		Real     young = 0, poisson = 0, mass = 0;
 		Partners partners {};
 		bool     isOf(const BrickMat& m, const State& s) const { return young == m.young && poisson == m.poisson && mass == s.mass; }
 	};
-	std::vector<Known>                known;  // by id
-	std::map<std::vector<Real>, Step> shared; // steps of bricks alike
+	std::vector<Known>                              known;  // by id
+	std::map<std::vector<Real>, brick::LargestStep> shared; // of bricks alike
 
-	static Partners partnersOf(const Body&, const Brick&, const BrickMat&, Scene*);
-	Step            stepOf(const Body&, Brick&, const BrickMat&, const Partners&);
-	void            count(const Body&, Brick&, const BrickMat&, Scene*);
+	std::optional<bool> dashpots; // see lawHasDashpots; found once in an update, if it is asked for
+
+	struct Touching;
+
+	bool               lawHasDashpots(const Scene&);
+	FacePartners       likeOf(const Brick&, const BrickMat&, bool damped) const;
+	Partners           partnersOf(const Body&, const Brick&, const BrickMat&, Scene*);
+	brick::LargestStep stepOf(const Body&, Brick&, const BrickMat&, const Partners&);
+	void               count(const Body&, Brick&, const BrickMat&, Scene*);
 };
 
 } // namespace yade

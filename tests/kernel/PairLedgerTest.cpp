@@ -73,6 +73,7 @@ struct Books {
 struct Mover {
 	Body                 first, second, before0, before1;
 	PairSprings          springs = pairs::springs();
+	LawTerms             terms;
 	std::array<Loads, 2> loads, loadsBefore;
 	Books                books;
 	Real                 dt    = 1e-5;
@@ -158,7 +159,7 @@ struct JointMover : Mover {
 		const JointPlacements moving { first.side().placement, second.side().placement };
 		JointLoads            found;
 		PairSummary           sum;
-		const Failures        now = jointLoads(joint, motion, &moving, springs.tanFriction, found, sum, booked ? &ledger : nullptr);
+		const Failures        now = jointLoads(joint, motion, &moving, springs.tanFriction, found, sum, booked ? &ledger : nullptr, terms);
 		failures.tension += now.tension, failures.shear += now.shear, failures.compression += now.compression;
 		for (int s = 0; s < 2; ++s) {
 			const Body& b  = s ? second : first;
@@ -191,13 +192,34 @@ struct ContactMover : Mover {
 		const Side  side0 = first.side(), side1 = second.side();
 		PairSummary sum;
 		findContact(side0, side1, spots);
-		contactLoads(side0, side1, spots, springs, dt, memory, scratch, loads, sum);
-		ledger.add(side0, side1, spots, springs, dt, memory);
+		contactLoads(side0, side1, spots, springs, dt, memory, scratch, loads, sum, terms);
+		ledger.add(side0, side1, spots, springs, dt, memory, terms);
 		area = sum.area;
 		return ledger.energy;
 	}
 	SpotSprings k() const { return springs.at(first.contactLength[above], second.contactLength[below]); }
 };
+
+/// About a place, pressed there at some micrometres or less, sideways and turned a little, in random steps.
+void wander(Mover& m, const Vector3r& at, int steps, pairs::Random& random)
+{
+	for (int i = 0; i < steps; ++i) {
+		Vector3r to                 = micro * random.vector(4);
+		to[2]                       = -micro * random.between(2, 5);
+		m.second.placement.position = at + to;
+		m.step();
+	}
+}
+
+const LawTerms leaner[] { { false, true, true }, { true, false, true }, { true, true, false }, { true, false, false }, { false, false, false } };
+
+/// That nothing is booked for what the law leaves out.
+void expectLeftOut(const Books& b, const LawTerms& t)
+{
+	if (!t.failure) EXPECT_EQ(b.fracture, 0);
+	if (!t.friction) EXPECT_EQ(b.friction, 0);
+	if (!t.dashpots) EXPECT_EQ(b.dashpot, 0);
+}
 
 /// What is missing after a path in some steps, in twice and in four times as many.
 template <class Make> std::array<Real, 3> missingByStep(Make make, int count, const std::function<void(Body&, Body&, Real)>& place)
@@ -387,6 +409,60 @@ TEST(JointLedgerTest, dashpots_take_what_they_brake)
 	q.expectClosed();
 }
 
+TEST(JointLedgerTest, what_the_law_leaves_out_takes_nothing_and_the_rest_closes)
+{
+	for (const LawTerms& terms : leaner) {
+		pairs::Random  random(35);
+		JointMover     p = JointMover::english(2, unbreakable());
+		const Vector3r at(edge / 2, 0, edge);
+		p.breakAll(.05);
+		p.terms = terms;
+		p.second.placement.position[2] -= 3 * micro;
+		p.step();
+		wander(p, at, 40, random);
+		expectLeftOut(p.books, terms);
+		p.expectClosed();
+		p.ledger = JointLedger(); // energy is tracked from here on
+		p.books  = Books();
+		p.steps  = 0;
+		wander(p, at, 40, random);
+		expectLeftOut(p.books, terms);
+	}
+}
+
+TEST(JointLedgerTest, joint_that_cannot_fail_has_no_fracture_beyond_its_strength)
+{
+	JointMover p    = JointMover::english(2, { 1e3, 5e3, pairs::friction, 2e4, 9 });
+	p.terms.failure = false;
+	p.step();
+	p.shift(30 * micro * Vector3r(1, -2, 3), 10);
+	EXPECT_TRUE(p.joint.holds());
+	p.shift(-60 * micro * Vector3r(1, -2, 3), 10);
+	EXPECT_TRUE(p.joint.holds());
+	expectLeftOut(p.books, p.terms);
+	p.expectClosed();
+}
+
+TEST(JointLedgerTest, shear_that_is_let_go_with_friction_is_taken_by_it_once)
+{
+	JointMover p = JointMover::stacked();
+	p.breakAll();
+	p.second.placement.position[2] -= micro;
+	p.step();
+	p.shift(.5 * pairs::friction * micro * Vector3r(1, 0, 0), 4); // sticks
+	EXPECT_NEAR(p.books.friction, 0, roundOff * p.books.turned);
+	const Real held  = p.books.elastic - p.books.first;
+	p.terms.friction = false;
+	p.shift(micro * Vector3r(0, 0, -.1), 1);
+	EXPECT_NEAR(p.books.friction, held, roundOff * p.books.turned);
+	const Real taken = p.books.friction;
+	p.shift(micro * Vector3r(3, 1, 0), 3);
+	EXPECT_EQ(p.books.friction, taken);
+	p.terms.friction = true;
+	p.shift(.1 * micro * Vector3r(3, 1, 0), 3);
+	p.expectClosed();
+}
+
 TEST(JointLedgerTest, closing_within_a_step_misses_what_the_chord_does_beside_the_law)
 {
 	// a failed segment from u0 > 0 to u1 < 0: the chord does kn u1 (u1 - u0) / 2, the spring takes kn u1^2 / 2
@@ -480,6 +556,44 @@ TEST(ContactLedgerTest, dashpots_take_what_they_brake)
 		p.step();
 	}
 	EXPECT_GT(p.books.friction, .01 * p.books.turned);
+	p.expectClosed();
+}
+
+TEST(ContactLedgerTest, what_the_law_leaves_out_takes_nothing_and_the_rest_closes)
+{
+	for (const LawTerms& terms : leaner) {
+		pairs::Random  random(36);
+		ContactMover   p        = ContactMover::onSlab(micro);
+		const Vector3r at       = p.second.placement.position;
+		p.springs.normalDamping = p.springs.shearDamping = .05;
+		p.terms                                          = terms;
+		p.step();
+		wander(p, at, 40, random);
+		expectLeftOut(p.books, terms);
+		p.expectClosed();
+		p.ledger = ContactLedger();
+		p.books  = Books();
+		p.steps  = 0;
+		wander(p, at, 40, random);
+		expectLeftOut(p.books, terms);
+	}
+}
+
+TEST(ContactLedgerTest, shear_that_is_let_go_with_friction_is_taken_by_it_once)
+{
+	ContactMover p = ContactMover::onSlab(micro);
+	p.step();
+	p.shift(.5 * pairs::friction * micro * Vector3r(1, 0, 0), 4); // sticks
+	const Real held = p.books.elastic - p.books.first, before = p.books.friction;
+	EXPECT_NEAR(before, 0, roundOff * p.books.turned);
+	p.terms.friction = false;
+	p.shift(micro * Vector3r(0, 0, -.1), 1);
+	EXPECT_NEAR(p.books.friction, held, roundOff * p.books.turned);
+	const Real taken = p.books.friction;
+	p.shift(micro * Vector3r(3, 1, 0), 3);
+	EXPECT_EQ(p.books.friction, taken);
+	p.terms.friction = true;
+	p.shift(.1 * micro * Vector3r(3, 1, 0), 3);
 	p.expectClosed();
 }
 

@@ -59,12 +59,16 @@ void contactLoads(
         ContactMemory&                  memory,
         ContactMemory&                  scratch,
         std::array<Loads, 2>&           loads,
-        PairSummary&                    sum)
+        PairSummary&                    sum,
+        const LawTerms&                 terms)
 {
 	clear(loads[0], side0.cells), clear(loads[1], side1.cells);
-	recall(memory, spots, scratch);
-	std::swap(memory, scratch);
-	BRICK_BEST_INSTRUCTION_SET(addLoads)(side0, side1, spots, pair, dt, memory.tractions.data(), loads, sum);
+	if (terms.friction) {
+		recall(memory, spots, scratch);
+		std::swap(memory, scratch);
+	} else
+		memory.clear();
+	BRICK_BEST_INSTRUCTION_SET(addLoads)(side0, side1, spots, pair, dt, terms, memory.tractions.data(), loads, sum);
 	sum.shearForce = loads[1].force - sum.normalForce;
 	if (sum.area > 0) sum.point /= sum.area;
 	if (sum.normal.norm() > 0) sum.normal.normalize();

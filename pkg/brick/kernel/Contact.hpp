@@ -12,6 +12,7 @@
 // Faces stand where their nodes are: the owner's segments are displaced with them, and the other's face bulges over its mean plane by the normal part of their
 // displacement; bilinear over the face, or over each of its cells where the body is refined (SurfaceGrid.hpp; each segment lies in one cell).
 //   sigma = kn penetration - cn vn >= 0,   tau from  tau' = -ks vt,  |tau| <= sigma tan(phi),  dashpot -cs vt within the same bound
+// Without friction tau = 0, without dashpots cn = cs = 0. (LawTerms.hpp)
 #pragma once
 
 #include "Joint.hpp"
@@ -59,8 +60,8 @@ struct ContactMemory {
 /// Springs of a spot, by the contact lengths of the two faces.
 SpotSprings springsOf(const ContactSpot& spot, const Side& side0, const Side& side1, const PairSprings& pair);
 
-/// Forces of all spots on both bodies; `memory` is replaced by the present tractions, `scratch` is working space. Nothing is allocated for loads that have had
-/// the sizes of the two surfaces before.
+/// Forces of all spots on both bodies; `memory` is replaced by the present tractions (none without friction), `scratch` is working space. Nothing is allocated
+/// for loads that have had the sizes of the two surfaces before.
 void contactLoads(
         const Side&                     side0,
         const Side&                     side1,
@@ -70,7 +71,8 @@ void contactLoads(
         ContactMemory&                  memory,
         ContactMemory&                  scratch,
         std::array<Loads, 2>&           loads,
-        PairSummary&                    sum);
+        PairSummary&                    sum,
+        const LawTerms&                 terms = {});
 
 /// How deep the centre of pressure of a spot is below the other's face [m]: this times the mean penetration is the mean of its square.
 Real pressedDepth(const ContactSpot&, const Side& other);

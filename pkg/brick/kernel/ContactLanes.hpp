@@ -32,6 +32,7 @@ struct RateField {
 	bool          any = false;
 	BilinearField component[3];
 
+	RateField() = default;
 	RateField(const Side& side, int face)
 	        : any(side.placement.displacementRate && side.cells == 1)
 	{
@@ -62,7 +63,8 @@ struct Run {
 	RateField            ownerRate, otherRate;
 	const SurfaceGrid *  ownerCells, *otherCells; ///< null where a face is a single cell
 
-	Run(const OwnerAndOther& bodies, const ContactSpot* spots, int count, const SpotSprings& springs, Real tanFriction, Real dt)
+	/// @param rates whether velocities matter
+	Run(const OwnerAndOther& bodies, const ContactSpot* spots, int count, const SpotSprings& springs, Real tanFriction, Real dt, bool rates)
 	        : bodies(bodies)
 	        , spots(spots)
 	        , count(count)
@@ -70,11 +72,11 @@ struct Run {
 	        , tanFriction(tanFriction)
 	        , dt(dt)
 	        , normal(bodies.other.solid->faces[spots->otherFace].normal)
-	        , ownerRate(bodies.owner, spots->ownerFace)
-	        , otherRate(bodies.other, spots->otherFace)
 	        , ownerCells(cellsOf(bodies.owner))
 	        , otherCells(cellsOf(bodies.other))
 	{
+		if (!rates) return;
+		ownerRate = RateField(bodies.owner, spots->ownerFace), otherRate = RateField(bodies.other, spots->otherFace);
 		ownerRate.turn(bodies.turn);
 	}
 };
@@ -142,25 +144,54 @@ BRICK_INLINE Vectors elasticShear(const Run& run, const Vectors& sliding, const 
 	return tau;
 }
 
+/// Tractions on the owner. What is left out is as in sweepGroup of joints: signs of zeros are all that may differ.
+struct SpotTractions {
+	Lanes   pressure;
+	Vectors all;
+
+	template <bool friction, bool dashpots, class Cells>
+	BRICK_INLINE void set(const Run& run, const SpotLanes& s, int first, Vector3r* tractions, Cells& cells)
+	{
+		Vectors sliding;
+		Lanes   pushing = run.springs.normal * s.penetration;
+		if constexpr (friction || dashpots) {
+			const Vectors velocity = cells.relativeVelocity(run, s);
+			const Lanes   leaving  = dot(velocity, run.normal);
+			for (int i = 0; i < 3; ++i)
+				sliding[i] = velocity[i] - leaving * run.normal[i];
+			if constexpr (dashpots) pushing -= run.springs.normalDashpot * leaving;
+		}
+		pressure = greater(pushing, Lanes {});
+		for (int i = 0; i < 3; ++i)
+			all[i] = pressure * run.normal[i];
+		if constexpr (friction) addShear<dashpots>(run, sliding, tractions + first, run.count - first);
+	}
+
+private:
+	template <bool dashpots> BRICK_INLINE void addShear(const Run& run, const Vectors& sliding, Vector3r* tractions, int count)
+	{
+		const Lanes limit = pressure * run.tanFriction;
+		Vectors     shear = elasticShear(run, sliding, limit, tractions, count);
+		for (int i = 0; i < 3 && dashpots; ++i)
+			shear[i] -= run.springs.shearDashpot * sliding[i];
+		const Lanes kept = shortening(lengthOf(shear), limit);
+		for (int i = 0; i < 3; ++i)
+			all[i] += shear[i] * kept;
+	}
+};
+
 /// @param cells WholeFaces or CellsOfSpots
-template <class Cells> BRICK_INLINE void addGroup(const Run& run, int first, Vector3r* tractions, RunSums& sums, Cells& cells)
+template <bool friction, bool dashpots, class Cells> BRICK_INLINE void addGroup(const Run& run, int first, Vector3r* tractions, RunSums& sums, Cells& cells)
 {
 	const SpotLanes s(run, first);
-	const Vectors   velocity = cells.relativeVelocity(run, s);
-	const Lanes     leaving  = dot(velocity, run.normal);
-	Vectors         sliding;
-	for (int i = 0; i < 3; ++i)
-		sliding[i] = velocity[i] - leaving * run.normal[i];
-	const Lanes pressure = greater(run.springs.normal * s.penetration - run.springs.normalDashpot * leaving, Lanes {}), limit = pressure * run.tanFriction;
+	cells.locate(run, s);
+	SpotTractions traction;
+	traction.set<friction, dashpots>(run, s, first, tractions, cells);
 
-	Vectors shear = elasticShear(run, sliding, limit, tractions + first, run.count - first);
-	for (int i = 0; i < 3; ++i)
-		shear[i] -= run.springs.shearDashpot * sliding[i];
-	const Lanes kept = shortening(lengthOf(shear), limit), xiEta = s.xi * s.eta, pq = s.p * s.q;
-
-	Vectors force;
+	const Lanes xiEta = s.xi * s.eta, pq = s.p * s.q;
+	Vectors     force;
 	for (int i = 0; i < 3; ++i) {
-		force[i] = s.area * (pressure * run.normal[i] + shear[i] * kept);
+		force[i] = s.area * traction.all[i];
 		sums.force[i] += force[i];
 		sums.onOwner[i][0] += s.xi * force[i], sums.onOwner[i][1] += s.eta * force[i], sums.onOwner[i][2] += xiEta * force[i];
 		sums.onOther[i][0] += s.p * force[i], sums.onOther[i][1] += s.q * force[i], sums.onOther[i][2] += pq * force[i];
@@ -170,7 +201,7 @@ template <class Cells> BRICK_INLINE void addGroup(const Run& run, int first, Vec
 		const int j = (i + 1) % 3, k = (i + 2) % 3;
 		sums.torque[i] += s.x[j] * force[k] - s.x[k] * force[j];
 	}
-	sums.area += s.area, sums.pressed += s.area * pressure;
+	sums.area += s.area, sums.pressed += s.area * traction.pressure;
 	sums.deepest = greater(sums.deepest, s.penetration);
 	cells.addForces(run, force, run.count - first);
 }
@@ -178,6 +209,7 @@ template <class Cells> BRICK_INLINE void addGroup(const Run& run, int first, Vec
 /// Both faces are single cells, whose nodal forces follow from the sums.
 struct WholeFaces {
 	BRICK_INLINE         WholeFaces(const Run&, Loads&, Loads&) { }
+	BRICK_INLINE void    locate(const Run&, const SpotLanes&) const { }
 	BRICK_INLINE Vectors relativeVelocity(const Run& run, const SpotLanes& s) const { return velocityBetween(run, s); }
 	BRICK_INLINE void    addForces(const Run&, const Vectors&, int) const { }
 };
@@ -190,10 +222,13 @@ public:
 	        , onOther(onOther)
 	{
 	}
-	BRICK_INLINE Vectors relativeVelocity(const Run& run, const SpotLanes& s)
+	BRICK_INLINE void locate(const Run& run, const SpotLanes& s)
 	{
 		if (run.ownerCells) owner.locate(*run.ownerCells, run.spots->ownerFace, s.xi, s.eta);
 		if (run.otherCells) other.locate(*run.otherCells, run.spots->otherFace, s.p, s.q);
+	}
+	BRICK_INLINE Vectors relativeVelocity(const Run& run, const SpotLanes& s) const
+	{
 		const Matrix3r& turn = run.bodies.turn;
 		const Vector3r *mine = run.bodies.owner.placement.displacementRate, *its = run.bodies.other.placement.displacementRate;
 		Vectors         velocity = velocityBetween(run, s), rate;
@@ -224,13 +259,21 @@ private:
 	SurfaceLanes owner, other;
 };
 
-template <class Cells> __attribute__((noinline)) void addGroups(const Run& run, Vector3r* tractions, Loads& onOwner, Loads& onOther, RunSums& sums)
+template <bool friction, bool dashpots, class Cells>
+__attribute__((noinline)) void addGroups(const Run& run, Vector3r* tractions, Loads& onOwner, Loads& onOther, RunSums& sums)
 {
 	RunSums local;
 	Cells   cells(run, onOwner, onOther);
 	for (int first = 0; first < run.count; first += lanes)
-		addGroup(run, first, tractions, local, cells);
+		addGroup<friction, dashpots>(run, first, tractions, local, cells);
 	sums = local;
+}
+
+template <class Cells> void addGroupsWith(const LawTerms& terms, const Run& run, Vector3r* tractions, Loads& onOwner, Loads& onOther, RunSums& sums)
+{
+	static constexpr decltype(&addGroups<true, true, Cells>) variants[2][2] { { addGroups<false, false, Cells>, addGroups<false, true, Cells> },
+		                                                                  { addGroups<true, false, Cells>, addGroups<true, true, Cells> } };
+	variants[terms.friction][terms.dashpots](run, tractions, onOwner, onOther, sums);
 }
 
 Vector3r sumOf(const Lanes (&x)[3]) { return { sumOf(x[0]), sumOf(x[1]), sumOf(x[2]) }; }
@@ -278,13 +321,14 @@ void addOwner(const OwnerAndOther& bodies, bool ownerIsFirst, const OwnerSums& s
 	pair.point += axes * (ownerIsFirst ? Vector3r(sums.place + sums.area * bodies.offset) : sums.place);
 }
 
-/// Forces of all spots; the tractions are those of the step before, and become those of this one.
+/// Forces of all spots; the tractions are those of the step before, and become those of this one. Without friction they are not looked at.
 void addLoads(
         const Side&                     side0,
         const Side&                     side1,
         const std::vector<ContactSpot>& spots,
         const PairSprings&              pair,
         Real                            dt,
+        const LawTerms&                 terms,
         Vector3r*                       tractions,
         std::array<Loads, 2>&           loads,
         PairSummary&                    sum)
@@ -297,11 +341,19 @@ void addLoads(
 			std::size_t end = first + 1;
 			while (end < spots.size() && sameFaces(spots[first], spots[end]))
 				++end;
-			const Run run(bodies, &spots[first], int(end - first), springsOf(spots[first], side0, side1, pair), pair.tanFriction, dt);
-			RunSums   lane;
-			if (run.ownerCells || run.otherCells) addGroups<CellsOfSpots>(run, tractions + first, loads[owner], loads[!owner], lane);
+			const Run run(
+			        bodies,
+			        &spots[first],
+			        int(end - first),
+			        springsOf(spots[first], side0, side1, pair),
+			        pair.tanFriction,
+			        dt,
+			        terms.friction || terms.dashpots);
+			Vector3r* const shear = terms.friction ? tractions + first : nullptr;
+			RunSums         lane;
+			if (run.ownerCells || run.otherCells) addGroupsWith<CellsOfSpots>(terms, run, shear, loads[owner], loads[!owner], lane);
 			else
-				addGroups<WholeFaces>(run, tractions + first, loads[owner], loads[!owner], lane);
+				addGroupsWith<WholeFaces>(terms, run, shear, loads[owner], loads[!owner], lane);
 			addRun(run, lane, loads[owner], loads[!owner], sums, sum);
 			first = end;
 		}

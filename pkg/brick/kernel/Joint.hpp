@@ -163,9 +163,17 @@ struct JointPlacements {
 class JointLedger; // PairLedger.hpp
 
 /// Forces of all segments on both sides, failure, friction. Writes segments; allocates when the first one fails.
-/// @param moving where the bodies are and how they move, for the dashpots of failed segments; may be null while all hold
+/// @param moving where the bodies are and how they move, for the dashpots of failed segments; may be null while all hold, and without dashpots
 /// @param ledger of energy; null: none is kept
-Failures jointLoads(Joint&, const JointMotion&, const JointPlacements* moving, Real tanFriction, JointLoads& loads, PairSummary&, JointLedger* ledger = nullptr);
+Failures jointLoads(
+        Joint&,
+        const JointMotion&,
+        const JointPlacements* moving,
+        Real                   tanFriction,
+        JointLoads&            loads,
+        PairSummary&,
+        JointLedger*    ledger = nullptr,
+        const LawTerms& terms  = {});
 
 /// Adds what a joint does to the nodes of the surface of one of its bodies, body axes [N].
 void addNodalForces(const Joint&, const JointLoads&, int side, const Matrix3r& rotation, Vector3r* nodal);

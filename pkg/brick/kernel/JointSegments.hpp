@@ -8,12 +8,14 @@
 //     failed   sigma = min(0, kn un + cn un') where un < 0,  tau = ks (ut - slip) + cs ut',  |tau| <= |sigma| tan(phi)
 // slip is the plastic part of ut: it follows ut while the segment is open or slides.
 //
+// Without friction tau = 0 and slip = ut in a failed segment; without dashpots cn = cs = 0; without failure a segment stays as it is. (LawTerms.hpp)
+//
 // The sweep takes `lanes` segments at a time and sums each lane on its own, so the compiler may use any vector instructions and the result is bitwise the same
 // with all of them.
 #pragma once
 
+#include "LawTerms.hpp"
 #include "MortarLaw.hpp"
-#include "Springs.hpp"
 
 #include <vector>
 
@@ -50,10 +52,11 @@ struct SegmentField {
 /// What a sweep needs to know besides the segments.
 struct SegmentSweep {
 	SegmentField   opening; ///< relative displacement of side 1, the rest gap taken off [m]
-	SegmentField   rate;    ///< its rate [m/s]
+	SegmentField   rate;    ///< its rate [m/s]; for dashpots only
 	SpotSprings    springs;
 	MortarStrength strength;
 	Real           tanFriction = 0; ///< of failed segments
+	LawTerms       terms;
 	/// An intact segment also fails in tension when  bending > hingeTension + hingeShare |sigma| - hingeSign sigma  (see Joint.hpp) [Pa]
 	Real bending = 0, hingeTension = 0, hingeShare = 0, hingeSign = 0;
 };
@@ -64,7 +67,7 @@ struct SegmentSums {
 	bool         anyFailed   = false; ///< a segment failed in this sweep
 };
 
-/// One step of all segments: forces, failure, slip.
+/// One step of all segments: forces, failure, slip, as far as `terms` asks for them.
 SegmentSums sweepSegments(JointSegments&, const SegmentSweep&);
 
 } // namespace brick

@@ -98,26 +98,39 @@ namespace {
 		return field;
 	}
 
-	/// @param moving null when the rate does not matter, since all segments hold
-	SegmentSweep sweepOf(const Joint& joint, const JointMotion& m, int patch, const JointAxes& axes, const JointPlacements* moving, Real tanFriction)
+	/// @param moving null when the rate does not matter: all segments hold, or there are no dashpots
+	SegmentSweep
+	sweepOf(const Joint&           joint,
+	        const JointMotion&     m,
+	        int                    patch,
+	        const JointAxes&       axes,
+	        const JointPlacements* moving,
+	        Real                   tanFriction,
+	        const LawTerms&        terms)
 	{
 		SegmentSweep sweep;
 		sweep.opening = openingOf(joint, m.patches[patch], axes);
+		sweep.terms   = terms;
 		if (!moving) sweep.rate = {};
 		else
 			BRICK_BEST_INSTRUCTION_SET(setRate)(joint.shape->patches[patch], m.patches[patch], m.offset, *moving, axes, sweep.rate);
 		sweep.springs     = joint.springs;
 		sweep.strength    = joint.shape->strength;
 		sweep.tanFriction = tanFriction;
-		setHinge(joint, edgeOpening(joint, m, patch), sweep);
+		if (terms.failure) setHinge(joint, edgeOpening(joint, m, patch), sweep);
 		return sweep;
 	}
 
-	/// Whether no segment can fail, in a joint that holds. Finds the largest penetration of a segment.
-	bool keepsHolding(const Joint& joint, const JointMotion& m, Real& penetration)
+	/// Whether no segment fails, in a joint that holds. Finds the largest penetration of a segment.
+	bool keepsHolding(const Joint& joint, const JointMotion& m, bool failure, Real& penetration)
 	{
+		penetration = -infinity;
+		if (!failure) {
+			for (std::size_t i = 0; i < m.patches.size(); ++i)
+				BRICK_BEST_INSTRUCTION_SET(outermostPenetration)(joint, m, int(i), penetration);
+			return true;
+		}
 		const bool hinge = joint.shape->rows[0] == 1 || joint.shape->rows[1] == 1;
-		penetration      = -infinity;
 		for (std::size_t i = 0; i < m.patches.size(); ++i) {
 			if (!BRICK_BEST_INSTRUCTION_SET(outermostHold)(joint, m, int(i), penetration)) return false;
 			if (!hinge) continue;
@@ -153,14 +166,21 @@ namespace {
 
 	/// Force on side 0 of each patch, segment by segment, with all that can happen to them.
 	void sweepPatches(
-	        Joint& joint, const JointMotion& m, const JointPlacements* moving, Real tanFriction, JointLoads& loads, Real& penetration, JointLedger* ledger)
+	        Joint&                 joint,
+	        const JointMotion&     m,
+	        const JointPlacements* moving,
+	        Real                   tanFriction,
+	        JointLoads&            loads,
+	        Real&                  penetration,
+	        JointLedger*           ledger,
+	        const LawTerms&        terms)
 	{
 		makeSegments(joint);
 		const JointAxes axes(m);
 		bool            anyFailed = false;
 		penetration               = -infinity;
 		for (std::size_t i = 0; i < m.patches.size(); ++i) {
-			const SegmentSums sums = sweepPatch(joint.segments[i], i, sweepOf(joint, m, int(i), axes, moving, tanFriction), ledger);
+			const SegmentSums sums = sweepPatch(joint.segments[i], i, sweepOf(joint, m, int(i), axes, moving, tanFriction, terms), ledger);
 			anyFailed |= sums.anyFailed;
 			penetration               = std::max(penetration, sums.penetration);
 			const Vector4r normal     = atCorners(sums.force.normal), tangent1 = atCorners(sums.force.tangent1), tangent2 = atCorners(sums.force.tangent2);
@@ -201,17 +221,24 @@ namespace {
 } // namespace
 
 Failures jointLoads(
-        Joint& joint, const JointMotion& m, const JointPlacements* moving, Real tanFriction, JointLoads& loads, PairSummary& sum, JointLedger* ledger)
+        Joint&                 joint,
+        const JointMotion&     m,
+        const JointPlacements* moving,
+        Real                   tanFriction,
+        JointLoads&            loads,
+        PairSummary&           sum,
+        JointLedger*           ledger,
+        const LawTerms&        terms)
 {
 	const Failures before = joint.failures;
 	loads.forces.resize(m.patches.size(), boost::container::default_init);
 	if (ledger) ledger->begin(m.patches.size());
-	if (joint.holds() && keepsHolding(joint, m, sum.penetration)) {
+	if (joint.holds() && keepsHolding(joint, m, terms.failure, sum.penetration)) {
 		for (std::size_t i = 0; i < m.patches.size(); ++i)
 			BRICK_BEST_INSTRUCTION_SET(setHoldingForce)(joint, m, int(i), loads.forces[i]);
 		if (ledger) bookHolding(joint, m, loads, *ledger);
 	} else
-		sweepPatches(joint, m, joint.holds() ? nullptr : moving, tanFriction, loads, sum.penetration, ledger);
+		sweepPatches(joint, m, joint.holds() || !terms.dashpots ? nullptr : moving, tanFriction, loads, sum.penetration, ledger, terms);
 
 	Vector3r force = Vector3r::Zero();
 	loads.torque[0].setZero(), sum.point.setZero();
@@ -269,7 +296,7 @@ Failures overloaded(const Joint& joint, const JointMotion& m)
 	Joint tried = joint;
 	makeSegments(tried);
 	for (std::size_t i = 0; i < m.patches.size(); ++i)
-		sweepSegments(tried.segments[i], sweepOf(tried, m, int(i), JointAxes(m), nullptr, 0));
+		sweepSegments(tried.segments[i], sweepOf(tried, m, int(i), JointAxes(m), nullptr, 0, { true, false, false }));
 	return countFailures(tried.segments);
 }
 

@@ -71,8 +71,9 @@ namespace {
 		if (s.state0 == SegmentState::Intact) return Vector3r::Zero();
 		const Vector3r rate     = at(sweep.rate, p, q);
 		const Real     pressure = s.opening[0] < 0 ? std::max(0., -(elastic[0] + sweep.springs.normalDashpot * rate[0])) : 0;
+		const Real     limit    = sweep.terms.friction ? pressure * sweep.tanFriction : 0;
 		const Vector3r shear(0, elastic[1] + sweep.springs.shearDashpot * rate[1], elastic[2] + sweep.springs.shearDashpot * rate[2]);
-		const Vector3r all = limited(shear, pressure * sweep.tanFriction) - Vector3r(pressure, 0, 0);
+		const Vector3r all = limited(shear, limit) - Vector3r(pressure, 0, 0);
 		return all - elastic;
 	}
 
@@ -93,7 +94,8 @@ void JointLedger::addHolding(std::size_t patch, const SegmentField& opening, Rea
 
 void JointLedger::addSwept(std::size_t number, const JointSegments& before, const JointSegments& after, const SegmentSweep& sweep)
 {
-	Patch& patch = patches[number];
+	Patch&     patch   = patches[number];
+	const bool slipped = sweep.terms.friction || patch.known; // the slip before was up to an opening that a ledger which begins does not know
 	if (!patch.known) patch.opening = sweep.opening, patch.known = true;
 	const Springs springs { sweep.springs };
 	SegmentField  dashpots {};
@@ -106,11 +108,11 @@ void JointLedger::addSwept(std::size_t number, const JointSegments& before, cons
 		if (s.state0 == SegmentState::Intact) {
 			const Vector3r lost = springs.traction(s.opening) - elastic;
 			energy.fracture += area * (springs.energy(s.opening) - springs.energy(stretch) - lost.dot(s.opening - s.opening0) / 2);
-		} else {
+		} else if (slipped) {
 			const Vector3r stretch0(0, s.opening0[1] - s.slip0[1], s.opening0[2] - s.slip0[2]);
 			energy.friction += area / 2 * (springs.traction(stretch0) + Vector3r(0, elastic[1], elastic[2])).dot(s.slip - s.slip0);
 		}
-		addMoments(dashpots, area * dashpotTraction(sweep, s, elastic, p, q), p, q);
+		if (sweep.terms.dashpots) addMoments(dashpots, area * dashpotTraction(sweep, s, elastic, p, q), p, q);
 	}
 	energy.dashpot += work(patch.dashpot, dashpots, patch.opening, sweep.opening);
 	patch.opening = sweep.opening;
@@ -157,9 +159,17 @@ void ContactLedger::begin(
 	}
 }
 
-void ContactLedger::add(const Side& side0, const Side& side1, const std::vector<ContactSpot>& spots, const PairSprings& pair, Real dt, const ContactMemory& memory)
+void ContactLedger::add(
+        const Side&                     side0,
+        const Side&                     side1,
+        const std::vector<ContactSpot>& spots,
+        const PairSprings&              pair,
+        Real                            dt,
+        const ContactMemory&            memory,
+        const LawTerms&                 terms)
 {
-	energy = {};
+	const Real tanFriction = terms.friction ? pair.tanFriction : 0;
+	energy                 = {};
 	std::vector<Spot> present;
 	auto              before = last.begin();
 	for (std::size_t i = 0; i < spots.size(); ++i) {
@@ -174,18 +184,22 @@ void ContactLedger::add(const Side& side0, const Side& side1, const std::vector<
 		const SpotSprings k      = springsOf(spot, side0, side1, pair);
 		const Vector3r    normal = other.placement.rotation * other.solid->faces[spot.otherFace].normal, moved = dt * relativeVelocity(spot, owner, other);
 		const Vector3r    sliding = moved - moved.dot(normal) * normal, turned = axes * was.traction;
-		const Vector3r    tau0 = turned - turned.dot(normal) * normal, tau = axes * memory.tractions[i];
+		const Vector3r    traction = terms.friction ? memory.tractions[i] : Vector3r(Vector3r::Zero());
+		const Vector3r    tau0 = turned - turned.dot(normal) * normal, tau = axes * traction;
 		const Real        shearEnergy = spot.area / 2 * tau.squaredNorm() / k.shear;
 		energy.elastic += spot.area / 2 * k.normal * spot.penetration * pressedDepth(spot, other) + shearEnergy;
 		energy.friction -= spot.area / 2 * (tau0 + tau).dot(sliding + (tau - tau0) / k.shear);
 		energy.area += (1 - spot.area / was.area) * was.shearEnergy + (spot.area - was.area) / 2 * tau0.dot(sliding);
 
-		// as addGroup in ContactLanes.hpp
-		const Real     spring = k.normal * spot.penetration, pressure = dt > 0 ? std::max(0., spring - k.normalDashpot * moved.dot(normal) / dt) : spring;
-		const Vector3r shear   = limited(dt > 0 ? Vector3r(tau - k.shearDashpot / dt * sliding) : tau, pressure * pair.tanFriction);
-		const Vector3r dashpot = spot.area * ((pressure - spring) * normal + shear - tau);
+		// as SpotTractions in ContactLanes.hpp
+		Vector3r dashpot = Vector3r::Zero();
+		if (terms.dashpots && dt > 0) {
+			const Real     spring = k.normal * spot.penetration, pressure = std::max(0., spring - k.normalDashpot * moved.dot(normal) / dt);
+			const Vector3r shear = limited(Vector3r(tau - k.shearDashpot / dt * sliding), pressure * tanFriction);
+			dashpot              = spot.area * ((pressure - spring) * normal + shear - tau);
+		}
 		energy.dashpot -= (axes * was.dashpot + dashpot).dot(moved) / 2;
-		present.push_back({ spot.key, spot.area, shearEnergy, memory.tractions[i], axes.transpose() * dashpot });
+		present.push_back({ spot.key, spot.area, shearEnergy, traction, axes.transpose() * dashpot });
 	}
 	for (; before != last.end(); ++before)
 		energy.area += before->shearEnergy;

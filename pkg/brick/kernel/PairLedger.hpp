@@ -31,7 +31,7 @@ public:
 	void begin(std::size_t patches);
 	/// Of a patch all of whose segments hold. @param opening as in SegmentSweep @param elastic [J]
 	void addHolding(std::size_t patch, const SegmentField& opening, Real elastic);
-	/// Of a patch whose segments were swept. @param before the segments then
+	/// Of a patch whose segments were swept. What shear was held when friction is switched off goes to friction, once. @param before the segments then
 	void addSwept(std::size_t patch, const JointSegments& before, const JointSegments& after, const SegmentSweep&);
 
 private:
@@ -49,8 +49,15 @@ public:
 
 	/// Begins where a joint ends: what contact holds more than the joint did is energy from nothing, booked as area. The joint's energy becomes this one's.
 	void begin(const PairEnergy& ofJoint, const Side& side0, const Side& side1, const std::vector<ContactSpot>&, const PairSprings&, const ContactMemory& memory);
-	/// @param memory tractions in this step
-	void add(const Side& side0, const Side& side1, const std::vector<ContactSpot>&, const PairSprings&, Real dt, const ContactMemory& memory);
+	/// @param memory tractions in this step; not looked at without friction
+	void
+	add(const Side& side0,
+	    const Side& side1,
+	    const std::vector<ContactSpot>&,
+	    const PairSprings&,
+	    Real                 dt,
+	    const ContactMemory& memory,
+	    const LawTerms&      terms = {});
 
 private:
 	/// A spot in the step before; owner's axes.

@@ -118,6 +118,17 @@ void setRate(const JointPatch& patch, const PatchMotion& m, const Vector3r& offs
 	setField(rate, axes, field);
 }
 
+/// Raises the largest penetration of a segment, by the openings of a patch's outermost ones.
+BRICK_INLINE void raisePenetration(const Joint& joint, const Lanes& un, Real& penetration)
+{
+	for (int c = 0; c < lanes; ++c)
+		penetration = std::max(penetration, joint.restGap - un[c]);
+}
+void outermostPenetration(const Joint& joint, const JointMotion& m, int number, Real& penetration)
+{
+	raisePenetration(joint, dot(weighted(joint.shape->patches[number].outermost, m.patches[number].opening), m.normal), penetration);
+}
+
 /// Whether no outermost segment of a patch fails, in a joint that holds. Raises the largest penetration of a segment.
 bool outermostHold(const Joint& joint, const JointMotion& m, int number, Real& penetration)
 {
@@ -129,8 +140,7 @@ bool outermostHold(const Joint& joint, const JointMotion& m, int number, Real& p
 	const Lanes           sigma   = joint.springs.normal * (un - joint.restGap);
 	const Lanes           squared = joint.springs.shear * joint.springs.shear * ((t[0] * t[0] + t[1] * t[1]) + t[2] * t[2]); // of the shear stress
 	const Lanes           held    = strength.cohesion - sigma * strength.tanFriction; // what it must not exceed
-	for (int c = 0; c < lanes; ++c)
-		penetration = std::max(penetration, joint.restGap - un[c]);
+	raisePenetration(joint, un, penetration);
 	return !any((sigma > strength.tension) | (held < 0) | (squared > held * held)
 	            | ((sigma < 0) & (sigma * sigma + strength.capShape * squared > strength.compression * strength.compression)));
 }

@@ -314,4 +314,41 @@ Real stableStep(Real omegaSquared, Real dashpotTime)
 	return 2 / omega * (std::sqrt(1 + xi * xi) - xi);
 }
 
+namespace {
+
+	/// Springs whose frequencies are  dt^2/4 K + dt/2 C.
+	Springs inStep(const Springs& springs, Real dt)
+	{
+		Springs out = springs;
+		for (FaceSprings& f : out) {
+			const Real weight = dt * dt / 4 + dt / 2 * f.dashpotTime;
+			f.normal *= weight, f.shear *= weight;
+		}
+		return out;
+	}
+
+} // namespace
+
+LargestStep largestStep(const Hexahedron& solid, const Springs& springs, Real mass, const Vector3r& inertia, const InnerPart* inner)
+{
+	constexpr Real enough = 1e-3;
+	const auto     motion = fastestMotion(solid, springs, mass, inertia, inner);
+	Real           shortest = std::numeric_limits<Real>::infinity(), longest = 0;
+	for (const FaceSprings& f : springs)
+		if (f.normal > 0) shortest = std::min(shortest, f.dashpotTime), longest = std::max(longest, f.dashpotTime);
+	LargestStep step { stableStep(motion.omegaSquared, longest), motion.face };
+	if (!(shortest < longest) || (inner && inner->cells > 1)) return step;
+
+	// lambda grows with dt and is convex in it: a chord meets 1 below the step; halving the far end's value brings the next one closer [Illinois]
+	const auto beyond = [&](Real dt) { return fastestMotion(solid, inStep(springs, dt), mass, inertia, inner).omegaSquared - 1; };
+	Real       low = step.seconds, high = stableStep(motion.omegaSquared, shortest), atLow = beyond(low), atHigh = beyond(high);
+	while (high - low > enough * high && atLow < 0) {
+		const Real dt = low - atLow * (high - low) / (atHigh - atLow), at = beyond(dt);
+		if (at < 0) low = dt, atLow = at, atHigh /= 2;
+		else
+			high = dt, atHigh = at, atLow /= 2;
+	}
+	return { low, fastestMotion(solid, inStep(springs, low), mass, inertia, inner).face };
+}
+
 } // namespace brick

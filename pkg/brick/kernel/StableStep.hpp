@@ -26,11 +26,14 @@
 #include "Hexahedron.hpp"
 #include "InnerPart.hpp"
 
+#include <limits>
+
 namespace brick {
 
 /// Springs on one face of a brick [Pa/m].
 struct FaceSprings {
 	Real normal = 0, shear = 0;
+	Real dashpotTime = 0; ///< largest c/k of the dashpots beside them [s]
 };
 
 /// The motion of a brick that limits the step.
@@ -48,5 +51,14 @@ FastestMotion fastestMotion(const Hexahedron&, const std::array<FaceSprings, fac
 ///     dt = 2/omega (sqrt(1 + xi^2) - xi),   xi = omega c / (2 k)
 /// @param dashpotTime largest c/k of dashpot and spring [s]
 Real stableStep(Real omegaSquared, Real dashpotTime);
+
+struct LargestStep {
+	Real seconds = std::numeric_limits<Real>::infinity();
+	int  face    = -1; ///< whose springs store most of the motion that limits it
+};
+
+/// The same for a brick: the step at which  lambda(M^-1 (dt^2/4 K + dt/2 C)) = 1, C the dashpots, from below, to a thousandth. With one ratio of dashpots to
+/// springs on all faces this is stableStep of its fastest motion; also where a refined brick has several, when the largest is taken.
+LargestStep largestStep(const Hexahedron&, const std::array<FaceSprings, faceCount>&, Real mass, const Vector3r& inertia, const InnerPart* inner);
 
 } // namespace brick
