@@ -10,8 +10,10 @@ matplotlib.use('Agg')
 import matplotlib.pyplot as plt
 
 here = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.join(here, '..', '..', 'py', 'yade_brick'))
-import report as results  # the module of the package, without YADE
+sys.path.insert(0, os.path.join(here, '..', 'python'))
+import standalone
+
+results = standalone.load('report')  # of the package, without YADE
 
 #: Order of the groups; others follow by name.
 GROUPS = (
