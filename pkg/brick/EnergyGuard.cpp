@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "EnergyGuard.hpp"
 
-#include <core/Body.hpp>
+#include "RigidMotion.hpp"
 
 namespace yade {
 
@@ -16,9 +16,7 @@ namespace {
 		Real sum = 0;
 		for (const auto& b : *scene.bodies) {
 			if (!b->isDynamic()) continue;
-			const State&   s = *b->state;
-			const Vector3r w = s.ori.conjugate() * s.angVel;
-			sum += (s.mass * s.vel.squaredNorm() + w.dot(s.inertia.cwiseProduct(w))) / 2;
+			sum += rigidKineticEnergy(*b->state);
 			if (const Brick* shape = asBrick(b->shape)) sum += shape->kineticEnergy();
 		}
 		return sum;

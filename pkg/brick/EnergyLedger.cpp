@@ -2,8 +2,7 @@
 #include "EnergyLedger.hpp"
 
 #include "Gravity.hpp"
-
-#include <core/Body.hpp>
+#include "RigidMotion.hpp"
 
 namespace yade {
 
@@ -16,12 +15,6 @@ namespace {
 	}
 
 	constexpr bool present = true, accumulated = false;
-
-	Real rotationEnergy(const State& s)
-	{
-		const Vector3r w = s.ori.conjugate() * s.angVel;
-		return w.dot(s.inertia.cwiseProduct(w)) / 2;
-	}
 
 } // namespace
 
@@ -47,7 +40,7 @@ void EnergyLedger::addHeld(const Body& b, const BodyStep& before, const BodyStep
 	sums.supportWork += sums.lastDt / 2 * ((before.force + now.force).dot(s.vel) + (before.torque + now.torque).dot(s.angVel));
 	sums.heldMomentum += s.mass * s.vel;
 	// YADE counts it, although nothing can be had from it
-	sums.kinetic -= s.mass * s.vel.squaredNorm() / 2 + rotationEnergy(s);
+	sums.kinetic -= rigidKineticEnergy(s);
 }
 
 void EnergyLedger::addModes(Sums& sums)
@@ -70,7 +63,7 @@ void EnergyLedger::book(Scene& scene, const std::vector<BodyStep>& before, const
 	sums.gravity = gravityOf(scene).value_or(Vector3r::Zero());
 	for (const auto& b : *scene.bodies) {
 		const auto id = b->getId();
-		if (b->isDynamic() && b->state->mass > 0) addFree(scene, *b, now[id], sums);
+		if (movesFreely(*b)) addFree(scene, *b, now[id], sums);
 		else if (!b->isDynamic())
 			addHeld(*b, before[id], now[id], sums);
 	}
