@@ -165,8 +165,8 @@ void BrickDynamics::moveOn(Body& b, BodyStep& step)
 	for (int i = first; i < end; ++i)
 		total.add(static_cast<const BrickPhys&>(*acting[i]), b.getId());
 	step.force = total.force, step.torque = total.torque;
-	step.power = step.force.dot(s.vel) + step.torque.dot(s.angVel);
-	step.work  = lastDt / 2 * (last.power + last.force.dot(s.vel) + last.torque.dot(s.angVel));
+	step.power = step.powerWith(s), step.lastPower = last.powerWith(s);
+	step.work  = lastDt / 2 * (last.power + step.lastPower);
 	if (shape) moveBrickOn(b, *shape, nodal, step, total.holding);
 }
 
@@ -230,9 +230,7 @@ void BrickDynamics::begin()
 	if (lastStep != scene->iter - 1) steps.clear(), lastDt = 0; // begun anew, or loaded
 	steps.resize(count);
 	if (guard && energyGuard.isDue(*scene)) energyGuard.begin(*scene);
-	if (!scene->trackEnergy) return;
-	before = steps;
-	energyLedger.modes.assign(count, {});
+	if (scene->trackEnergy) energyLedger.modes.assign(count, {});
 }
 
 /// A brick that nothing acts on has no force that would tell.
@@ -273,7 +271,7 @@ void BrickDynamics::book()
 			const auto& phys = static_cast<const BrickPhys&>(*acting[i]);
 			if (phys.ids[0] == int(id)) once.push_back(&phys);
 		}
-	energyLedger.book(*scene, before, steps, once);
+	energyLedger.book(*scene, lastDt, steps, once);
 }
 
 /// Saves the scene and raises an error.
