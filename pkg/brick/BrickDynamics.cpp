@@ -165,8 +165,8 @@ void BrickDynamics::moveOn(Body& b, BodyStep& step)
 	for (int i = first; i < end; ++i)
 		total.add(static_cast<const BrickPhys&>(*acting[i]), b.getId());
 	step.force = total.force, step.torque = total.torque;
-	step.power = step.powerWith(s), step.lastPower = last.powerWith(s);
-	step.work  = lastDt / 2 * (last.power + step.lastPower);
+	if (guard || scene->trackEnergy) step.power = step.powerWith(s), step.lastPower = last.powerWith(s);
+	if (guard) step.work = lastDt / 2 * (last.power + step.lastPower);
 	if (shape) moveBrickOn(b, *shape, nodal, step, total.holding);
 }
 
@@ -180,7 +180,8 @@ void BrickDynamics::moveBrickOn(Body& b, Brick& shape, const brick::NodalVectors
 	const bool dashpots = !shape.whole || shape.contactStep == scene->iter;
 	if (shape.isDeformable()) {
 		brick::ModeEnergy* const energy = scene->trackEnergy ? &energyLedger.modes[b.getId()] : nullptr;
-		step.work += shape.advance(nodal, static_cast<const BrickMat&>(*b.material).dampingRatio, damping, scene->dt, dashpots, energy);
+		Real* const              work   = guard ? &step.work : nullptr;
+		shape.advance(nodal, static_cast<const BrickMat&>(*b.material).dampingRatio, damping, scene->dt, dashpots, energy, work);
 	}
 	if (!scene->doSort && !scene->isPeriodic) askForNewBounds(b, shape);
 }
