@@ -383,8 +383,7 @@ namespace {
 		brick::findContact(side0, side1, geom.contact->spots); // for those who read energy and stiffness in this step
 		phys.joint = brick::Joint();
 		if (!phys.ledger) return;
-		phys.ledger->contact.begin(phys.ledger->energy, side0, side1, geom.contact->spots, phys.contact->springs, phys.contact->memory);
-		phys.ledger->energy = phys.ledger->contact.energy;
+		phys.ledger->contact.begin(phys.ledger->joint.energy, side0, side1, geom.contact->spots, phys.contact->springs, phys.contact->memory);
 	}
 
 } // namespace
@@ -411,7 +410,6 @@ void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phy
 	PairLedger* const ledger = ledgerOf(phys);
 	const auto        failures
 	        = brick::jointLoads(phys.joint, geom.motion, moving ? &*moving : nullptr, phys.springs().tanFriction, phys.loads, sum, ledger ? &ledger->joint : nullptr);
-	if (ledger) ledger->energy = ledger->joint.energy;
 	if (phys.joint.shape->faces[0].face < 0) phys.loads.torque[0] += (geom.origin - first.state->pos).cross(phys.loads.forceOn(0));
 	fillReport(sum, geom.origin, geom, phys);
 	if (failures.total() == 0) return;
@@ -433,10 +431,8 @@ void Law2_BrickGeom_BrickPhys_Mortar::applyContact(BrickGeom& geom, BrickPhys& p
 	auto&                             contact = *phys.contact;
 	auto&                             loads = contact.loads;
 	brick::contactLoads(sides[0], sides[1], geom.contact->spots, contact.springs, scene->dt, contact.memory, scratch, loads, sum);
-	if (PairLedger* const ledger = ledgerOf(phys)) {
+	if (PairLedger* const ledger = ledgerOf(phys))
 		ledger->contact.add(sides[0], sides[1], geom.contact->spots, contact.springs, scene->dt, contact.memory);
-		ledger->energy = ledger->contact.energy;
-	}
 	if (sides[0].support) loads[0].torque += (sides[0].placement.position - Body::byId(phys.ids[0], scene)->state->pos).cross(loads[0].force);
 	fillReport(sum, sides[0].placement.position, geom, phys);
 	for (const Body::id_t id : phys.ids)

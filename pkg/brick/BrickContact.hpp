@@ -64,7 +64,6 @@ template <class Archive> void serialize(Archive& ar, std::shared_ptr<OrdinaryCon
 struct PairLedger {
 	brick::JointLedger   joint;
 	brick::ContactLedger contact;
-	brick::PairEnergy    energy; // of the present step
 };
 
 class BrickPhys : public FrictPhys {

@@ -69,11 +69,8 @@ void EnergyLedger::book(Scene& scene, Real lastDt, const std::vector<BodyStep>& 
 	}
 	addModes(sums);
 	brick::PairEnergy pairs;
-	for (const BrickPhys* phys : acting) {
-		if (!phys->ledger) continue;
-		const auto& e = phys->ledger->energy;
-		pairs.elastic += e.elastic, pairs.fracture += e.fracture, pairs.friction += e.friction, pairs.dashpot += e.dashpot, pairs.area += e.area;
-	}
+	for (const BrickPhys* phys : acting)
+		if (phys->ledger) pairs += phys->isJoint() ? phys->ledger->joint.energy : phys->ledger->contact.energy;
 	add(scene, sums.kinetic, "kinetic", present);
 	add(scene, sums.modesKinetic, "deformKinetic", present);
 	add(scene, sums.modesElastic, "deformElastic", present);
