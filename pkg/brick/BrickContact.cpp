@@ -75,22 +75,26 @@ brick::Side sideOfBody(const Body& b, const shared_ptr<const brick::Hexahedron>&
 
 // Fitness for contact
 
-namespace {
-	shared_ptr<const brick::Hexahedron> solidOfBox(const Box& box)
-	{
-		return shared_ptr<const brick::Hexahedron>(new brick::Hexahedron(brick::cuboidCorners(2 * box.extents)));
+shared_ptr<const brick::Hexahedron> solidOfBox(const Box& box)
+{
+	return shared_ptr<const brick::Hexahedron>(new brick::Hexahedron(brick::cuboidCorners(2 * box.extents)));
+}
+
+string boxProblem(const Box& box)
+{
+	try {
+		solidOfBox(box);
+		return "";
+	} catch (const std::invalid_argument& problem) {
+		return brick::message("the extents (", box.extents.transpose(), ") m: ", problem.what());
 	}
-} // namespace
+}
 
 string touchProblem(const Body& b)
 {
 	if (asBrick(b.shape)) return asBrickMat(b.material) ? "" : "its material must be a BrickMat";
 	if (const Box* box = dynamic_cast<const Box*>(b.shape.get()))
-		try {
-			solidOfBox(*box);
-		} catch (const std::invalid_argument& problem) {
-			return brick::message("bricks cannot touch a box of the extents (", box->extents.transpose(), ") m: ", problem.what());
-		}
+		if (const string problem = boxProblem(*box); !problem.empty()) return "bricks cannot touch a box of " + problem;
 	return dynamic_cast<const FrictMat*>(b.material.get()) ? "" : "its material must be a FrictMat where bricks touch it";
 }
 
