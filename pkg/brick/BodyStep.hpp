@@ -11,9 +11,16 @@ struct BodyStep {
 	bool     any        = false; // some joint or contact acts on the body
 	bool     released   = false; // a brick that its joints hold apart from others no more
 	bool     changing   = false; // a brick whose level of deformation changes
-	Real     power      = 0;     // of force and torque with the velocities of half a step before [W]
-	Real     work       = 0;     // what the present velocities came from: of the step before, on the deformation of this one [J]
-	Real     gained     = 0;     // work since the guard's window has begun [J]
+
+	// While the guard is on or energy is tracked
+	Real power     = 0; // of force and torque with the present velocities, those of half a step before [W]
+	Real lastPower = 0; // of those of the step before with the present velocities [W]
+
+	// While the guard is on
+	Real work   = 0; // what the present velocities came from: of the step before, on the deformation of this one [J]
+	Real gained = 0; // work since the guard's window has begun [J]
+
+	Real powerWith(const State& s) const { return force.dot(s.vel) + torque.dot(s.angVel); }
 };
 
 } // namespace yade

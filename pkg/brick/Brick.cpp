@@ -297,7 +297,8 @@ const brick::InnerPart* Brick::innerPart(const BrickMat& material)
 	return inside.get();
 }
 
-Real Brick::advance(const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt, bool nodeRates, brick::ModeEnergy* energy)
+void Brick::advance(
+        const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt, bool nodeRates, brick::ModeEnergy* energy, Real* work)
 {
 	constexpr Real changeDamping = .3; // of critical: a change of level leaves no vibration behind, and a stiffening element does not gain energy from what it has
 	if (share < 1) dampingRatio = std::max(dampingRatio, changeDamping);
@@ -306,14 +307,13 @@ Real Brick::advance(const brick::NodalVectors& forces, Real dampingRatio, Real l
 	Real* const load  = workingSpace(inside->columns.paddedModes());
 	inside->columns.loads(forces[0].data(), load);
 	const Eigen::Map<const brick::VectorX> f(load, count), rate(rates.data(), count);
-	const Real                             before = f.dot(rate);
+	const Real                             before = work ? f.dot(rate) : 0;
 	std::vector<Real>                      amplitudes0, rates0;
 	if (energy) amplitudes0 = amplitudes, rates0 = rates;
 	brick::advanceModes(omegaSquared, load, dampingRatio, localDamping, dt, amplitudes.data(), rates.data());
 	if (energy) *energy = brick::modeEnergy(omegaSquared, load, amplitudes0.data(), rates0.data(), rates.data(), dampingRatio, localDamping, dt);
-	const Real after = f.dot(rate);
+	if (work) *work += dt / 2 * (before + f.dot(rate));
 	updateNodes(nodeRates); // overwrites the loads
-	return dt / 2 * (before + after);
 }
 
 /// Of the element, by the share of the compliance that it has.

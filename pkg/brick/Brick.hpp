@@ -86,9 +86,9 @@ public:
 
 	/// Moves the deformation part by a step under nodal forces in body axes [N].
 	/// @param localDamping of the modes, as NewtonIntegrator.damping is of the rigid motion   @param nodeRates whether the rates of the nodes are wanted
-	/// @param energy of the modes in this step; null: not wanted
-	/// @return work of the forces on the modes [J]
-	Real advance(const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt, bool nodeRates, brick::ModeEnergy* energy = nullptr);
+	/// @param energy of the modes in this step; null: not wanted   @param work that of the forces on the modes is added to [J]; null: not wanted
+	void advance(
+	        const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt, bool nodeRates, brick::ModeEnergy* energy, Real* work);
 
 	/// Whether a node of the surface is outside of a box, world axes.
 	bool reachesOut(const State&, const Vector3r& lower, const Vector3r& upper) const;

@@ -75,22 +75,26 @@ brick::Side sideOfBody(const Body& b, const shared_ptr<const brick::Hexahedron>&
 
 // Fitness for contact
 
-namespace {
-	shared_ptr<const brick::Hexahedron> solidOfBox(const Box& box)
-	{
-		return shared_ptr<const brick::Hexahedron>(new brick::Hexahedron(brick::cuboidCorners(2 * box.extents)));
+shared_ptr<const brick::Hexahedron> solidOfBox(const Box& box)
+{
+	return shared_ptr<const brick::Hexahedron>(new brick::Hexahedron(brick::cuboidCorners(2 * box.extents)));
+}
+
+string boxProblem(const Box& box)
+{
+	try {
+		solidOfBox(box);
+		return "";
+	} catch (const std::invalid_argument& problem) {
+		return brick::message("the extents (", box.extents.transpose(), ") m: ", problem.what());
 	}
-} // namespace
+}
 
 string touchProblem(const Body& b)
 {
 	if (asBrick(b.shape)) return asBrickMat(b.material) ? "" : "its material must be a BrickMat";
 	if (const Box* box = dynamic_cast<const Box*>(b.shape.get()))
-		try {
-			solidOfBox(*box);
-		} catch (const std::invalid_argument& problem) {
-			return brick::message("bricks cannot touch a box of the extents (", box->extents.transpose(), ") m: ", problem.what());
-		}
+		if (const string problem = boxProblem(*box); !problem.empty()) return "bricks cannot touch a box of " + problem;
 	return dynamic_cast<const FrictMat*>(b.material.get()) ? "" : "its material must be a FrictMat where bricks touch it";
 }
 
@@ -427,8 +431,7 @@ namespace {
 		brick::findContact(side0, side1, geom.contact->spots); // for those who read energy and stiffness in this step
 		phys.joint = brick::Joint();
 		if (!phys.ledger) return;
-		phys.ledger->contact.begin(phys.ledger->energy, side0, side1, geom.contact->spots, phys.contact->springs, phys.contact->memory);
-		phys.ledger->energy = phys.ledger->contact.energy;
+		phys.ledger->contact.begin(phys.ledger->joint.energy, side0, side1, geom.contact->spots, phys.contact->springs, phys.contact->memory);
 	}
 
 } // namespace
@@ -470,7 +473,6 @@ void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phy
 	PairLedger* const ledger = ledgerOf(phys);
 	const auto        failures = brick::jointLoads(
                 phys.joint, geom.motion, moving ? &*moving : nullptr, phys.springs().tanFriction, phys.loads, sum, ledger ? &ledger->joint : nullptr, terms);
-	if (ledger) ledger->energy = ledger->joint.energy;
 	if (phys.joint.shape->faces[0].face < 0) phys.loads.torque[0] += (geom.origin - first.state->pos).cross(phys.loads.forceOn(0));
 	fillReport(sum, geom.origin, geom, phys);
 	if (failures.total() == 0) return;
@@ -495,10 +497,8 @@ void Law2_BrickGeom_BrickPhys_Mortar::applyContact(BrickGeom& geom, BrickPhys& p
 	auto&                             loads = contact.loads;
 	const brick::LawTerms             terms   = termsOf(phys);
 	brick::contactLoads(sides[0], sides[1], geom.contact->spots, contact.springs, scene->dt, contact.memory, scratch, loads, sum, terms);
-	if (PairLedger* const ledger = ledgerOf(phys)) {
+	if (PairLedger* const ledger = ledgerOf(phys))
 		ledger->contact.add(sides[0], sides[1], geom.contact->spots, contact.springs, scene->dt, contact.memory, terms);
-		ledger->energy = ledger->contact.energy;
-	}
 	if (sides[0].support) loads[0].torque += (sides[0].placement.position - Body::byId(phys.ids[0], scene)->state->pos).cross(loads[0].force);
 	fillReport(sum, sides[0].placement.position, geom, phys);
 	for (const Body::id_t id : phys.ids)

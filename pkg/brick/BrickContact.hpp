@@ -64,7 +64,6 @@ template <class Archive> void serialize(Archive& ar, std::shared_ptr<OrdinaryCon
 struct PairLedger {
 	brick::JointLedger   joint;
 	brick::ContactLedger contact;
-	brick::PairEnergy    energy; // of the present step
 };
 
 class BrickPhys : public FrictPhys {
@@ -230,6 +229,10 @@ REGISTER_SERIALIZABLE(Law2_BrickGeom_BrickPhys_Mortar);
 /// A wall as a slab whose one face is the wall, on the side of the given point.
 brick::Side sideOfWall(const Wall&, const State&, const Vector3r& brickPosition);
 brick::Side sideOfBox(const State&, const brick::Hexahedron&);
+/// @throws std::invalid_argument for extents with a boxProblem
+shared_ptr<const brick::Hexahedron> solidOfBox(const Box&);
+/// What is wrong with the extents of a Box, with their values; empty if nothing is.
+string boxProblem(const Box&);
 /// @param box solid of a Box, only of such a body   @param brickPosition of the other body, a brick
 brick::Side sideOfBody(const Body&, const shared_ptr<const brick::Hexahedron>& box, const Vector3r& brickPosition);
 

@@ -168,8 +168,8 @@ void BrickDynamics::moveOn(Body& b, BodyStep& step)
 	for (int i = first; i < end; ++i)
 		total.add(static_cast<const BrickPhys&>(*acting[i]), b.getId());
 	step.force = total.force, step.torque = total.torque;
-	step.power = step.force.dot(s.vel) + step.torque.dot(s.angVel);
-	step.work  = lastDt / 2 * (last.power + last.force.dot(s.vel) + last.torque.dot(s.angVel));
+	if (guard || scene->trackEnergy) step.power = step.powerWith(s), step.lastPower = last.powerWith(s);
+	if (guard) step.work = lastDt / 2 * (last.power + step.lastPower);
 	if (shape) moveBrickOn(b, *shape, nodal, step, total.holding);
 }
 
@@ -185,7 +185,8 @@ void BrickDynamics::moveBrickOn(Body& b, Brick& shape, const brick::NodalVectors
 	const bool dashpots = !shape.whole || shape.contactStep == scene->iter;
 	if (shape.isDeformable()) {
 		brick::ModeEnergy* const energy = scene->trackEnergy ? &energyLedger.modes[b.getId()] : nullptr;
-		step.work += shape.advance(nodal, static_cast<const BrickMat&>(*b.material).dampingRatio, damping, scene->dt, dashpots, energy);
+		Real* const              work   = guard ? &step.work : nullptr;
+		shape.advance(nodal, static_cast<const BrickMat&>(*b.material).dampingRatio, damping, scene->dt, dashpots, energy, work);
 	}
 	if (!scene->doSort && !scene->isPeriodic) askForNewBounds(b, shape);
 }
@@ -270,9 +271,7 @@ void BrickDynamics::begin()
 	if (lastStep != scene->iter - 1) steps.clear(), lastDt = 0; // begun anew, or loaded
 	steps.resize(count);
 	if (guard && energyGuard.isDue(*scene)) energyGuard.begin(*scene);
-	if (!scene->trackEnergy) return;
-	before = steps;
-	energyLedger.modes.assign(count, {});
+	if (scene->trackEnergy) energyLedger.modes.assign(count, {});
 }
 
 /// A brick that nothing acts on has no force that would tell.
@@ -313,7 +312,7 @@ void BrickDynamics::book()
 			const auto& phys = static_cast<const BrickPhys&>(*acting[i]);
 			if (phys.ids[0] == int(id)) once.push_back(&phys);
 		}
-	energyLedger.book(*scene, before, steps, once);
+	energyLedger.book(*scene, lastDt, steps, once);
 }
 
 /// Saves the scene and raises an error.

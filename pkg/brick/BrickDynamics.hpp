@@ -30,7 +30,7 @@ While :yref:`O.trackEnergy<Omega.trackEnergy>`, ``O.energy`` gets, besides what 
 	// clang-format on
 
 private:
-	std::vector<BodyStep> steps, before; // by id: this step, and the one before while energy is tracked
+	std::vector<BodyStep> steps;         // by id
 	long                  lastStep = -2; // that `steps` is of
 	Real                  lastDt   = 0;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "EnergyGuard.hpp"
 
-#include <core/Body.hpp>
+#include "RigidMotion.hpp"
 
 namespace yade {
 
@@ -16,9 +16,7 @@ namespace {
 		Real sum = 0;
 		for (const auto& b : *scene.bodies) {
 			if (!b->isDynamic()) continue;
-			const State&   s = *b->state;
-			const Vector3r w = s.ori.conjugate() * s.angVel;
-			sum += (s.mass * s.vel.squaredNorm() + w.dot(s.inertia.cwiseProduct(w))) / 2;
+			sum += rigidKineticEnergy(*b->state);
 			if (const Brick* shape = asBrick(b->shape)) sum += shape->kineticEnergy();
 		}
 		return sum;
@@ -71,15 +69,13 @@ std::optional<EnergyGuard::Gain> EnergyGuard::add(const Scene& scene, std::vecto
 {
 	const bool begins = first == scene.iter; // the work done up to now was before the window
 	last              = scene.iter;
-	for (auto& s : steps) {
-		work += begins ? 0 : s.work;
-		s.gained = begins ? 0 : s.gained + s.work;
-	}
-	coming = 0;
-	for (std::size_t id = 0; id < steps.size() && !begins; ++id) {
-		const auto& b = (*scene.bodies)[id];
-		if (!b || b->isDynamic()) continue;
-		given += std::abs(steps[id].work), coming += std::abs(steps[id].power) * scene.dt;
+	coming            = 0;
+	for (std::size_t id = 0; id < steps.size(); ++id) {
+		BodyStep& s = steps[id];
+		s.gained    = begins ? 0 : s.gained + s.work;
+		if (begins) continue;
+		work += s.work;
+		if (const auto& b = (*scene.bodies)[id]; b && !b->isDynamic()) given += std::abs(s.work), coming += std::abs(s.power) * scene.dt;
 	}
 	if (!isTooMuch(scene)) return {};
 	const auto most = std::max_element(steps.begin(), steps.end(), [](const BodyStep& a, const BodyStep& b) { return a.gained < b.gained; });

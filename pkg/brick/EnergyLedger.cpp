@@ -2,8 +2,7 @@
 #include "EnergyLedger.hpp"
 
 #include "Gravity.hpp"
-
-#include <core/Body.hpp>
+#include "RigidMotion.hpp"
 
 namespace yade {
 
@@ -17,37 +16,31 @@ namespace {
 
 	constexpr bool present = true, accumulated = false;
 
-	Real rotationEnergy(const State& s)
-	{
-		const Vector3r w = s.ori.conjugate() * s.angVel;
-		return w.dot(s.inertia.cwiseProduct(w)) / 2;
-	}
-
 } // namespace
 
 struct EnergyLedger::Sums {
-	Real     dt = 0, lastDt = 0; // of this step and of the one before, 0 if there was none
+	Real     dt = 0, lastDt = 0; // of this step and of the one before, 0 if that was not booked
 	Vector3r gravity { Vector3r::Zero() };
 	Real     kinetic = 0, supportWork = 0;
 	Vector3r heldMomentum { Vector3r::Zero() }; // of bodies that forces do not move
 	Real     modesKinetic = 0, modesElastic = 0, modesDamping = 0;
 };
 
-void EnergyLedger::addFree(Scene& scene, const Body& b, const BodyStep& now, Sums& sums)
+void EnergyLedger::addFree(Scene& scene, const Body& b, const BodyStep& step, Sums& sums)
 {
 	const State& s     = *b.state;
-	Vector3r     force = now.force + s.mass * sums.gravity;
+	Vector3r     force = step.force + s.mass * sums.gravity;
 	if (scene.forces.getPermForceUsed()) force += scene.forces.getPermForce(b.getId());
-	sums.kinetic += sums.dt / 2 * (force.dot(s.vel) + now.torque.dot(s.angVel));
+	sums.kinetic += sums.dt / 2 * (force.dot(s.vel) + step.torque.dot(s.angVel));
 }
 
-void EnergyLedger::addHeld(const Body& b, const BodyStep& before, const BodyStep& now, Sums& sums)
+void EnergyLedger::addHeld(const Body& b, const BodyStep& step, Sums& sums)
 {
 	const State& s = *b.state;
-	sums.supportWork += sums.lastDt / 2 * ((before.force + now.force).dot(s.vel) + (before.torque + now.torque).dot(s.angVel));
+	sums.supportWork += sums.lastDt / 2 * (step.lastPower + step.power);
 	sums.heldMomentum += s.mass * s.vel;
 	// YADE counts it, although nothing can be had from it
-	sums.kinetic -= s.mass * s.vel.squaredNorm() / 2 + rotationEnergy(s);
+	sums.kinetic -= rigidKineticEnergy(s);
 }
 
 void EnergyLedger::addModes(Sums& sums)
@@ -59,7 +52,7 @@ void EnergyLedger::addModes(Sums& sums)
 	}
 }
 
-void EnergyLedger::book(Scene& scene, const std::vector<BodyStep>& before, const std::vector<BodyStep>& now, const std::vector<const BrickPhys*>& acting)
+void EnergyLedger::book(Scene& scene, Real lastDt, const std::vector<BodyStep>& steps, const std::vector<const BrickPhys*>& acting)
 {
 	const bool continues = lastStep == scene.iter - 1;
 	if (!continues) dampedLate = 0;
@@ -70,17 +63,14 @@ void EnergyLedger::book(Scene& scene, const std::vector<BodyStep>& before, const
 	sums.gravity = gravityOf(scene).value_or(Vector3r::Zero());
 	for (const auto& b : *scene.bodies) {
 		const auto id = b->getId();
-		if (b->isDynamic() && b->state->mass > 0) addFree(scene, *b, now[id], sums);
+		if (movesFreely(*b)) addFree(scene, *b, steps[id], sums);
 		else if (!b->isDynamic())
-			addHeld(*b, before[id], now[id], sums);
+			addHeld(*b, steps[id], sums);
 	}
 	addModes(sums);
 	brick::PairEnergy pairs;
-	for (const BrickPhys* phys : acting) {
-		if (!phys->ledger) continue;
-		const auto& e = phys->ledger->energy;
-		pairs.elastic += e.elastic, pairs.fracture += e.fracture, pairs.friction += e.friction, pairs.dashpot += e.dashpot, pairs.area += e.area;
-	}
+	for (const BrickPhys* phys : acting)
+		if (phys->ledger) pairs += phys->isJoint() ? phys->ledger->joint.energy : phys->ledger->contact.energy;
 	add(scene, sums.kinetic, "kinetic", present);
 	add(scene, sums.modesKinetic, "deformKinetic", present);
 	add(scene, sums.modesElastic, "deformElastic", present);
@@ -94,7 +84,6 @@ void EnergyLedger::book(Scene& scene, const std::vector<BodyStep>& before, const
 	// YADE counts bodies that are held, too
 	add(scene, sums.gravity.dot(sums.heldMomentum) * scene.dt, "gravWork", accumulated);
 	lastStep = scene.iter;
-	lastDt   = scene.dt;
 }
 
 } // namespace yade

@@ -16,17 +16,17 @@ public:
 	std::vector<brick::ModeEnergy> modes;
 
 	/// Books a step.
-	/// @param before, now what joints and contacts do to each body in the step before and in this one   @param acting interactions that act in this step, each once
-	void book(Scene&, const std::vector<BodyStep>& before, const std::vector<BodyStep>& now, const std::vector<const BrickPhys*>& acting);
+	/// @param lastDt time step of the step before [s]   @param steps what joints and contacts do to each body
+	/// @param acting interactions that act in this step, each once
+	void book(Scene&, Real lastDt, const std::vector<BodyStep>& steps, const std::vector<const BrickPhys*>& acting);
 
 private:
 	long lastStep   = -2;
-	Real lastDt     = 0;
 	Real dampedLate = 0; // by the modes' damping in the half step after the last one [J]
 
 	struct Sums;
-	static void addFree(Scene&, const Body&, const BodyStep& now, Sums&);
-	static void addHeld(const Body&, const BodyStep& before, const BodyStep& now, Sums&);
+	static void addFree(Scene&, const Body&, const BodyStep&, Sums&);
+	static void addHeld(const Body&, const BodyStep&, Sums&);
 	void        addModes(Sums&);
 };
 

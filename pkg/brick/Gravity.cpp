@@ -21,11 +21,10 @@ namespace {
 
 } // namespace
 
-std::optional<Vector3r> gravityOf(const Scene& scene)
+std::optional<Vector3r> gravityOf(Scene& scene)
 {
-	for (const auto& engine : scene.engines)
-		if (engine->getClassName() == "NewtonIntegrator") return attributeOf(*engine);
-	return {};
+	const auto newton = scene.engineByName("NewtonIntegrator");
+	return newton ? std::make_optional(attributeOf(*newton)) : std::nullopt;
 }
 
 } // namespace yade

@@ -8,6 +8,6 @@
 namespace yade {
 
 /// Gravity of the scene's NewtonIntegrator [m/s2]; none if it has no such engine. Takes Python's lock.
-std::optional<Vector3r> gravityOf(const Scene&);
+std::optional<Vector3r> gravityOf(Scene&);
 
 } // namespace yade

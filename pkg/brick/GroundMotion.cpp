@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "GroundMotion.hpp"
 
-#include <core/Body.hpp>
-#include <core/State.hpp>
+#include "RigidMotion.hpp"
 
 namespace yade {
 
@@ -26,17 +25,13 @@ void GroundMotion::action()
 		moveBase();
 }
 
-namespace {
-	bool isFree(const shared_ptr<Body>& b) { return b && b->isDynamic() && b->state->mass > 0; }
-}
-
 void GroundMotion::push()
 {
 	const Vector3r z = motion.acceleration(scene->time);
 	if (scene->trackEnergy) bookWork(z);
 	if (z == Vector3r::Zero()) return;
 	for (const auto& b : *scene->bodies)
-		if (isFree(b)) scene->forces.addForce(b->getId(), -b->state->mass * z);
+		if (movesFreely(*b)) scene->forces.addForce(b->getId(), -b->state->mass * z);
 }
 
 /// Work since the step before: mean of the accelerations at both ends times the displacement between. And what it adds to the kinetic energy in the half step
@@ -45,7 +40,7 @@ void GroundMotion::bookWork(const Vector3r& z)
 {
 	Vector3r momentum = Vector3r::Zero();
 	for (const auto& b : *scene->bodies)
-		if (isFree(b)) momentum += b->state->mass * b->state->vel;
+		if (movesFreely(*b)) momentum += b->state->mass * b->state->vel;
 	int work = -1, kinetic = -1;
 	if (lastStep == scene->iter - 1) scene->energy->add(lastDt / 2 * (lastAcceleration + z).dot(momentum), "groundWork", work);
 	scene->energy->add(-scene->dt / 2 * z.dot(momentum), "kinetic", kinetic, true);

@@ -137,8 +137,7 @@ namespace {
 		const auto refuse = [&b](const string& problem) { throw std::invalid_argument("MortarJoints: " + b.shape->getClassName() + " " + named(b) + " " + problem); };
 		if (shape && !shape->solid) refuse("has no corners");
 		if (wall && !(wall->axis >= 0 && wall->axis <= 2)) refuse("has the axis " + std::to_string(wall->axis) + "; allowed are 0, 1 and 2");
-		if (box && !(box->extents.allFinite() && box->extents.minCoeff() > 0))
-			refuse(brick::message("has the extents (", box->extents.transpose(), ") m; each must be finite and above 0"));
+		if (const string problem = box ? boxProblem(*box) : ""; !problem.empty()) refuse("has " + problem);
 		if (!b.state->pos.allFinite() || !b.state->ori.coeffs().allFinite()) refuse("is at a place or in an orientation that is not finite");
 		return true;
 	}
@@ -219,7 +218,7 @@ void MortarJoints::join(const shared_ptr<Body>& a, const shared_ptr<Body>& b, Fu
 	const auto  found = scene->interactions->find(first.getId(), second.getId());
 
 	shared_ptr<const brick::Hexahedron> box;
-	if (const Box* shape = dynamic_cast<const Box*>(first.shape.get())) box.reset(new brick::Hexahedron(brick::cuboidCorners(2 * shape->extents)));
+	if (const Box* shape = dynamic_cast<const Box*>(first.shape.get())) box = solidOfBox(*shape);
 	const brick::Side           side0 = sideOfBody(first, box, second.state->pos), side1 = sideOfBody(second, nullptr, second.state->pos);
 	std::array<int, 2>          faces { 0, 0 };
 	std::optional<brick::Joint> joint = largestOverlap(side0, side1, gapBetween(first, second), normal, faces);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "StepLimit.hpp"
 
-#include <core/Body.hpp>
+#include "RigidMotion.hpp"
 
 #include "kernel/Contact.hpp"
 #include "kernel/StableStep.hpp"
@@ -169,7 +169,7 @@ void StepLimit::update(Scene& scene)
 	for (const auto& b : *scene.bodies) {
 		Brick*      shape    = asBrick(b->shape);
 		const auto* material = asBrickMat(b->material);
-		if (!shape || !shape->solid || !material || !b->isDynamic() || !(b->state->mass > 0)) continue;
+		if (!shape || !shape->solid || !material || !movesFreely(*b)) continue;
 		// without contact nothing has changed but joints that have failed, which only makes the brick softer
 		const bool unchanged = shape->counted && shape->contactStep != scene.iter && known[b->getId()].isOf(*material, *b->state);
 		if (!unchanged) count(*b, *shape, *material, &scene);

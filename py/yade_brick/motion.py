@@ -5,13 +5,13 @@
 """Ground motions: reading, combining, making and writing accelerograms. SI units inside, whatever the file holds."""
 
 import math
-import numbers
 import os
 import re
-import sys
 from dataclasses import dataclass
 
 import numpy as np
+
+from .checks import isFinite
 
 #: Standard gravity [m/s2] (CODATA, exact by definition): the g of a file given in g.
 standardGravity = 9.80665
@@ -88,7 +88,7 @@ class Motion:
 
 	def scaled(self, factor):
 		"""The motion with every acceleration multiplied by `factor` (finite)."""
-		if not _isFinite(factor):
+		if not isFinite(factor):
 			raise ValueError(f"factor is {factor!r}; allowed are finite numbers")
 		return Motion(self.dt, self.acceleration * factor, f"{self.name} x {factor:g}", self.synthetic)
 
@@ -107,16 +107,12 @@ class Motion:
 		return Motion(dt, np.column_stack(columns), self.name, self.synthetic)
 
 
-def _isFinite(value):
-	return isinstance(value, numbers.Real) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
-
-
 def _areNumbers(values, count):
-	return isinstance(values, (list, tuple, np.ndarray)) and len(values) == count and all(_isFinite(value) for value in values)
+	return isinstance(values, (list, tuple, np.ndarray)) and len(values) == count and all(isFinite(value) for value in values)
 
 
 def _checkInterval(value, name):
-	if not (_isFinite(value) and value > 0):
+	if not (isFinite(value) and value > 0):
 		raise ValueError(f"{name} is {value!r}; allowed is a finite number of seconds > 0")
 
 
@@ -501,9 +497,9 @@ def _syntheticComponent(times, dt, peak, pulsePeriod, pulseVelocity, phaseTimes,
 def _checkSynthetic(duration, dt, peak, pulsePeriod, pulseVelocity, phaseTimes, ratios, seed):
 	for name, value in (("duration", duration), ("dt", dt), ("pulsePeriod", pulsePeriod)):
 		_checkInterval(value, name)
-	if not (_isFinite(peak) and peak > 0):
+	if not (isFinite(peak) and peak > 0):
 		raise ValueError(f"peak is {peak!r}; allowed is a finite acceleration > 0 m/s2")
-	if not (_isFinite(pulseVelocity) and pulseVelocity >= 0):
+	if not (isFinite(pulseVelocity) and pulseVelocity >= 0):
 		raise ValueError(f"pulseVelocity is {pulseVelocity!r}; allowed is a finite velocity >= 0 m/s")
 	if dt > 0.5 / noiseTop:
 		raise ValueError(f"dt is {dt} s; allowed is at most {0.5 / noiseTop} s, since the noise reaches to {noiseTop:g} Hz")

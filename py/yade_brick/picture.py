@@ -7,7 +7,6 @@
 import heapq
 import math
 import numbers
-import sys
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +17,8 @@ from matplotlib.colors import Normalize, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon, Rectangle
+
+from .checks import isFinite
 
 
 class Patch(NamedTuple):
@@ -97,7 +98,7 @@ def pictureSeries(
 	if not isinstance(columns, numbers.Integral) or columns < 1:
 		raise ValueError(f"columns is {columns!r}; allowed is a whole number, at least 1")
 	for name, value in (("width", width), ("dpi", dpi)):
-		if not (_isFinite(value) and value > 0):
+		if not (isFinite(value) and value > 0):
 			raise ValueError(f"{name} is {value!r}; allowed is a finite number > 0")
 	ground = _checkedNumber(ground, "ground", None)
 	right, up, toward = _viewAxes(view)
@@ -122,14 +123,10 @@ def pictureSeries(
 # What is given
 
 
-def _isFinite(value):
-	return isinstance(value, numbers.Real) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
-
-
 def _checkedNumber(value, name, default):
 	if value is None:
 		return default
-	if not _isFinite(value):
+	if not isFinite(value):
 		raise ValueError(f"{name} is {value!r}; allowed is a finite number, or None")
 	return value
 
@@ -189,7 +186,7 @@ def _viewAxes(view):
 			raise ValueError(f"view is {view!r}; allowed are {', '.join(map(repr, views))} or (azimuth, height) in degrees")
 		view = views[view]
 	angles = _sequence(view, "view")
-	if len(angles) != 2 or not all(_isFinite(angle) for angle in angles):
+	if len(angles) != 2 or not all(isFinite(angle) for angle in angles):
 		raise ValueError(f"view is {view!r}; allowed are {', '.join(map(repr, views))} or (azimuth, height) in degrees")
 	azimuth, height = (math.radians(angle) for angle in angles)
 	toward = np.array([math.cos(height) * math.cos(azimuth), math.cos(height) * math.sin(azimuth), math.sin(height)])
@@ -199,7 +196,7 @@ def _viewAxes(view):
 
 def _checkedLimits(limits):
 	values = _sequence(limits, "limits")
-	if len(values) != 4 or not all(_isFinite(value) for value in values) or not (values[0] < values[1] and values[2] < values[3]):
+	if len(values) != 4 or not all(isFinite(value) for value in values) or not (values[0] < values[1] and values[2] < values[3]):
 		raise ValueError(f"limits is {limits!r}; allowed is (left, right, bottom, top), finite, with left < right and bottom < top")
 	return tuple(values)
 
@@ -306,7 +303,7 @@ def _colorScale(colors, colorRange):
 	if not values:
 		return None
 	ends = (min(values), max(values)) if colorRange is None else _sequence(colorRange, "colorRange")
-	if len(ends) != 2 or not all(_isFinite(end) for end in ends):
+	if len(ends) != 2 or not all(isFinite(end) for end in ends):
 		raise ValueError(f"colorRange is {colorRange!r}, the colours are {values}; allowed are a lowest and a highest finite number")
 	low, high = ends
 	return ScalarMappable(Normalize(low, high if high > low else low + 1), "YlOrBr")
@@ -458,7 +455,7 @@ def historyPlot(path, time, histories, title=None, timeRange=None, width=12.0, d
 	for name, values in arrays.items():
 		if values.shape != (len(time), 3):
 			raise ValueError(f"history of {name!r} has the shape {values.shape}; allowed is ({len(time)}, 3), as there are {len(time)} times")
-	if timeRange is not None and (len(ends := _sequence(timeRange, "timeRange")) != 2 or not all(_isFinite(end) for end in ends)):
+	if timeRange is not None and (len(ends := _sequence(timeRange, "timeRange")) != 2 or not all(isFinite(end) for end in ends)):
 		raise ValueError(f"timeRange is {timeRange!r}; allowed are two finite times")
 	unknown = sorted(set(styles or ()) - set(arrays))
 	if unknown:

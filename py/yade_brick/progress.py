@@ -5,10 +5,11 @@
 """Running a stage of a YADE simulation with progress and time left."""
 
 import math
-import numbers
 import sys
 import time
 from typing import NamedTuple
+
+from .checks import isFinite
 
 
 class StageReport(NamedTuple):
@@ -78,9 +79,9 @@ def runWithProgress(duration=None, until=None, label="", every=None, callback=No
 def _endOfStage(scene, duration, until):
 	if (duration is None) == (until is None):
 		raise ValueError(f"duration is {duration} and until is {until}; allowed is exactly one of them")
-	if duration is not None and not (_isFinite(duration) and duration > 0):
+	if duration is not None and not (isFinite(duration) and duration > 0):
 		raise ValueError(f"duration is {duration!r}; allowed is a finite number of seconds > 0")
-	if until is not None and not (_isFinite(until) and until > scene.time):
+	if until is not None and not (isFinite(until) and until > scene.time):
 		raise ValueError(f"until is {until!r} s; allowed is a finite time later than the present {scene.time:g} s")
 	if not (math.isfinite(scene.dt) and scene.dt > 0):
 		raise ValueError(f"O.dt is {scene.dt}; set a finite time step > 0 s before running")
@@ -90,14 +91,10 @@ def _endOfStage(scene, duration, until):
 	return end
 
 
-def _isFinite(value):
-	return isinstance(value, numbers.Real) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
-
-
 def _checkCallback(every, callback):
 	if (every is None) != (callback is None):
 		raise ValueError("every and callback go together; one of them is missing")
-	if every is not None and not (_isFinite(every) and every > 0):
+	if every is not None and not (isFinite(every) and every > 0):
 		raise ValueError(f"every is {every!r}; allowed is a finite number of seconds > 0")
 
 

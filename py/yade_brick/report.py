@@ -5,12 +5,12 @@
 
 import json
 import math
-import numbers
 import os
-import sys
 import tempfile
 
 import numpy as np
+
+from .checks import isNumber
 
 
 def judgedRow(id, got, expected=None, tolerance=None, limit=None, **more):
@@ -28,7 +28,7 @@ def judgedRow(id, got, expected=None, tolerance=None, limit=None, **more):
 	>>> judgedRow("u_A", 1.01, expected=1.0, tolerance=0.02)["ok"], judgedRow("drift", float("nan"), limit=1.0)["ok"]
 	(True, False)
 	"""
-	if not _isNumber(got):
+	if not isNumber(got):
 		raise ValueError(f"row {id!r}: got is {got!r}; allowed is a number")
 	if (expected is None) == (limit is None):
 		raise ValueError(f"row {id!r}: expected is {expected} and limit is {limit}; allowed is exactly one of them")
@@ -36,18 +36,14 @@ def judgedRow(id, got, expected=None, tolerance=None, limit=None, **more):
 		_checkFinite(id, "limit", limit)
 		return {"id": id, "limit": limit, "got": got, "ok": bool(math.isfinite(got) and got <= limit), **more}
 	_checkFinite(id, "expected", expected)
-	if not _isNumber(tolerance) or not (math.isfinite(tolerance) and tolerance >= 0):
+	if not isNumber(tolerance) or not (math.isfinite(tolerance) and tolerance >= 0):
 		raise ValueError(f"row {id!r}: tolerance is {tolerance!r}; allowed is a finite number >= 0")
 	error = (got - expected) / abs(expected) if expected else got
 	return {"id": id, "expected": expected, "tolerance": tolerance, "got": got, "error": error, "ok": bool(abs(error) <= tolerance), **more}
 
 
-def _isNumber(value):
-	return isinstance(value, (float, np.floating)) or isinstance(value, numbers.Real) and abs(value) <= sys.float_info.max
-
-
 def _checkFinite(id, name, value):
-	if not _isNumber(value) or not math.isfinite(value):
+	if not isNumber(value) or not math.isfinite(value):
 		raise ValueError(f"row {id!r}: {name} is {value!r}; allowed is a finite number")
 
 

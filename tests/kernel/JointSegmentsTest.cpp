@@ -18,7 +18,6 @@ struct Segment {
 	Vector2r     tangent;
 };
 
-Real at(const Real (&c)[4], Real p, Real q) { return c[0] + p * c[1] + (q * c[2] + p * q * c[3]); }
 Real length(const Vector2r& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1]); }
 
 SegmentState failure(const SegmentSweep& s, Real sigma, Real shear)

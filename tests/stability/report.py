@@ -2,7 +2,10 @@
 # Prints the table of the hard cases from what they have left (see Case in ../verification/cases.py). Plain Python.
 #     python3 tests/stability/report.py --rows FOLDER [--out FILE]
 # The exit status is 0 when every row is ok and every case came to its end.
-import argparse, glob, json, os, sys
+import argparse, os, sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'verification'))
+from rows import readCases
 
 
 def options():
@@ -10,14 +13,6 @@ def options():
 	parser.add_argument('--rows', required=True, help='folder in which the cases have left their rows')
 	parser.add_argument('--out', help='file for the table, as Markdown')
 	return parser.parse_args()
-
-
-def readCases(folder):
-	cases = []
-	for path in sorted(glob.glob(os.path.join(folder, '*.json'))):
-		with open(path) as file:
-			cases.append(json.load(file))
-	return sorted(cases, key=lambda case: (case['group'], case['case']))
 
 
 def share(row):
@@ -46,7 +41,7 @@ def table(cases):
 
 def main():
 	chosen = options()
-	cases = readCases(chosen.rows)
+	cases = sorted(readCases(chosen.rows), key=lambda case: (case['group'], case['case']))
 	if not cases:
 		sys.exit('no rows in %s: run the hard cases first (scripts/stability.sh)' % chosen.rows)
 	text = table(cases)

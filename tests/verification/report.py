@@ -2,7 +2,7 @@
 # Makes one report of what the verification cases have left (see Case in cases.py): report.md with plots, and result.json. Plain Python.
 #     python3 tests/verification/report.py --rows FOLDER --out FOLDER [--all]
 # The exit status is 0 when every judged row is ok, every case came to its end and, with --all, every reference was used.
-import argparse, glob, json, os, re, sys
+import argparse, json, os, re, sys
 
 import matplotlib
 
@@ -10,8 +10,11 @@ matplotlib.use('Agg')
 import matplotlib.pyplot as plt
 
 here = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.join(here, '..', '..', 'py', 'yade_brick'))
-import report as results  # the module of the package, without YADE
+sys.path.insert(0, os.path.join(here, '..', 'python'))
+import standalone
+from rows import readCases
+
+results = standalone.load('report')  # of the package, without YADE
 
 #: Order of the groups; others follow by name.
 GROUPS = (
@@ -28,13 +31,9 @@ def options():
 	return parser.parse_args()
 
 
-def readCases(folder):
-	cases = []
-	for path in sorted(glob.glob(os.path.join(folder, '*.json'))):
-		with open(path) as file:
-			cases.append(json.load(file))
-	order = {group: place for place, group in enumerate(GROUPS)}
-	return sorted(cases, key=lambda case: (order.get(case['group'], len(GROUPS)), case['group'], case['module'], case['case']))
+def place(case):
+	"""Where a case stands in the report: sorts."""
+	return GROUPS.index(case['group']) if case['group'] in GROUPS else len(GROUPS), case['group'], case['module'], case['case']
 
 
 # result.json
@@ -209,7 +208,7 @@ def draw(out, case):
 
 def main():
 	chosen = options()
-	cases = readCases(chosen.rows)
+	cases = sorted(readCases(chosen.rows), key=place)
 	if not cases:
 		sys.exit('no rows in %s: run the verification cases first (scripts/verify.sh)' % chosen.rows)
 	os.makedirs(chosen.out, exist_ok=True)

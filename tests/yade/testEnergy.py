@@ -1,44 +1,29 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # The energy ledger of O.energy, and the guard that stops a run whose joints and contacts make energy.
-import os, tempfile, unittest
+import os, sys, tempfile, unittest
 
 import collapse
-from yade import O, Quaternion, Vector3, utils
-from yade.wrapper import Bo1_Wall_Aabb, ForceResetter, InsertionSortCollider, InteractionLoop, NewtonIntegrator
+from yade import O, Quaternion, Vector3
 from yade_brick import *
-from yade_brick.build import brick
 
-SIDE, DENSITY, GRAVITY = .2, 1800., 9.8
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'verification'))
+import cases
+from cases import DENSITY, GRAVITY, engine, ground
+
+SIDE = .2
 MASS = DENSITY * SIDE**3
 
 
 def scene(gravity=True, before=(), safety=.9, **attributes):
-	"""Engines and a material; the material."""
+	"""Engines and a material, whose energy is tracked; the material."""
 	O.reset()
-	given = dict(young=9.8e6, poisson=.25, density=DENSITY, frictionAngle=.5, hn=0, hs=0)
-	given.update(attributes)
-	O.materials.append(BrickMat(**given))
-	O.engines = [
-	        ForceResetter(),
-	        InsertionSortCollider([Bo1_Brick_Aabb(), Bo1_Wall_Aabb()], verletDist=0),
-	        InteractionLoop(
-	                [Ig2_Brick_Brick_BrickGeom(), Ig2_Wall_Brick_BrickGeom()], [Ip2_BrickMat_BrickMat_BrickPhys()], [Law2_BrickGeom_BrickPhys_Mortar()]
-	        ),
-	        BrickTimeStepper(safety=safety),
-	        BrickDynamics(stopFile=''), *before,
-	        NewtonIntegrator(gravity=(0, 0, -GRAVITY * gravity), damping=0)
-	]
+	cases.engines(gravity=(0, 0, -GRAVITY * gravity), safety=safety, before=before)
 	O.trackEnergy = True
-	return O.materials[0]
-
-
-def dynamics():
-	engine, = [e for e in O.engines if isinstance(e, BrickDynamics)]
-	return engine
+	return cases.material(**{'frictionAngle': .5, 'hn': 0, 'hs': 0, **attributes})
 
 
 def add(center, material, **options):
-	return O.bodies[O.bodies.append(brick((SIDE, SIDE, SIDE), center=center, material=material, **options))]
+	return cases.add((SIDE, SIDE, SIDE), center=center, material=material, **options)
 
 
 def run(steps):
@@ -70,7 +55,7 @@ class Ledger(unittest.TestCase):
 		errors = []
 		for safety in (.1, .05):
 			m = scene(safety=safety)
-			O.bodies.append(utils.wall(0, axis=2, sense=1, material=m))
+			ground(m)
 			b = add((0, 0, .6 * SIDE), m)
 			error = 0
 			while b.state.vel[2] <= 0:
@@ -83,7 +68,7 @@ class Ledger(unittest.TestCase):
 
 	def test_weight_held_by_joints(self):
 		m = scene(mortar=Mortar(tensileStrength=1e9, cohesion=1e9, frictionAngle=.5, compressiveStrength=1e9))
-		O.bodies.append(utils.wall(0, axis=2, sense=1, material=m))
+		ground(m)
 		for k in range(3):
 			add((0, 0, SIDE * (k + .5)), m)
 		MortarJoints()()
@@ -97,7 +82,7 @@ class Ledger(unittest.TestCase):
 	def test_friction_of_a_block_that_slides_to_rest(self):
 		for level in ('rigid', 'trilinear'):
 			m = scene(dampingRatio=.1, hn=.5, hs=.5)
-			O.bodies.append(utils.wall(0, axis=2, sense=1, material=m))
+			ground(m)
 			b = add((0, 0, SIDE / 2), m, deformation=level)
 			run(400)
 			b.state.vel += Vector3(.3, 0, 0)
@@ -176,7 +161,7 @@ class Guard(unittest.TestCase):
 		self.overlapping()
 		with tempfile.TemporaryDirectory() as folder:
 			path = os.path.join(folder, 'stopped.yade.gz')
-			dynamics().stopFile = path
+			engine(BrickDynamics).stopFile = path
 			with self.assertRaisesRegex(RuntimeError, r"energy from nothing: \S+ J of work on the bodies within \d+ steps.*bodies #(0 and #1|1 and #0) have been inside.*"
 			                            r"guard = False.*saved as '" + path):
 				run(500)
@@ -187,19 +172,19 @@ class Guard(unittest.TestCase):
 
 	def test_says_that_it_could_not_save(self):
 		self.overlapping()
-		dynamics().stopFile = '/nowhere/stopped.yade.gz'
+		engine(BrickDynamics).stopFile = '/nowhere/stopped.yade.gz'
 		with self.assertRaisesRegex(RuntimeError, 'energy from nothing.*could not be saved'):
 			run(500)
 
 	def test_can_be_switched_off(self):
 		self.overlapping()
-		dynamics().guard = False
+		engine(BrickDynamics).guard = False
 		run(500)
 
 	def test_is_silent_where_energy_comes_from_outside(self):
 		"""Hard impacts at the default step, a support that starts suddenly, a collapse."""
 		m = scene(gravity=False)
-		O.bodies.append(utils.wall(0, axis=2, sense=1, material=m))
+		ground(m)
 		b = add((0, 0, SIDE), m, orientation=Quaternion(Vector3(1, 2, 0).normalized(), .7))
 		b.state.vel = Vector3(0, 0, -5)
 		run(3000)

@@ -49,6 +49,9 @@ struct SegmentField {
 	Real normal[4], tangent1[4], tangent2[4];
 };
 
+/// A component of a field at a place.
+inline Real at(const Real (&c)[4], Real p, Real q) { return c[0] + p * c[1] + (q * c[2] + p * q * c[3]); }
+
 /// What a sweep needs to know besides the segments.
 struct SegmentSweep {
 	SegmentField   opening; ///< relative displacement of side 1, the rest gap taken off [m]

@@ -77,8 +77,6 @@ namespace {
 	/// Moments with the corners' weights from moments with 1, p, q, pq.
 	Vector4r atCorners(const Real (&m)[4]) { return { (m[0] - m[1]) - (m[2] - m[3]), m[1] - m[3], m[3], m[2] - m[3] }; }
 
-	Real at(const Real (&c)[4], Real p, Real q) { return c[0] + p * c[1] + (q * c[2] + p * q * c[3]); }
-
 	/// The hinge rule (see the head of Joint.hpp) as the sweep wants it.
 	void setHinge(const Joint& joint, Real edge, SegmentSweep& sweep)
 	{

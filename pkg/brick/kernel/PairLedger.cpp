@@ -10,8 +10,7 @@ namespace {
 	/// A field at a segment: normal, tangential components.
 	Vector3r at(const SegmentField& field, Real p, Real q)
 	{
-		auto value = [&](const Real(&c)[4]) { return c[0] + p * c[1] + (q * c[2] + p * q * c[3]); };
-		return { value(field.normal), value(field.tangent1), value(field.tangent2) };
+		return { brick::at(field.normal, p, q), brick::at(field.tangent1, p, q), brick::at(field.tangent2, p, q) };
 	}
 
 	void addMoments(SegmentField& field, const Vector3r& force, Real p, Real q)

@@ -21,6 +21,12 @@ namespace brick {
 /// What the springs of a pair hold at present, and what was taken since the step before [J].
 struct PairEnergy {
 	Real elastic = 0, fracture = 0, friction = 0, dashpot = 0, area = 0;
+
+	PairEnergy& operator+=(const PairEnergy& e)
+	{
+		elastic += e.elastic, fracture += e.fracture, friction += e.friction, dashpot += e.dashpot, area += e.area;
+		return *this;
+	}
 };
 
 /// Remembers a joint's step.
