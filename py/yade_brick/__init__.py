@@ -40,7 +40,7 @@ from . import assembly, bill, build, loop, motion, picture, progress, report, re
 from .assembly import assembled
 from .bill import Bill
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
-from .loop import effects, engines
+from .loop import Loop, effects, engines
 from .motion import Motion, readAt2, readColumns, syntheticNearFault
 from .picture import historyPlot, pictureSeries, wallPicture
 from .progress import runWithProgress

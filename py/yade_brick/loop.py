@@ -9,9 +9,9 @@ import sys
 from collections import Counter
 from typing import NamedTuple
 
-#: Stride of the collider for which none is asked, as a share of the shortest edge of a brick: boxes grow by it, so that the collider sleeps until a body
+#: The shortest edge of a brick over the stride of the collider for which none is asked: boxes grow by the stride, so that the collider sleeps until a body
 #: may have come so far. Where nothing moves fast any stride above 0 does; a larger one means more pairs of boxes that overlap.
-defaultStrideShare = 0.05
+stridesInEdge = 20
 
 #: Kinds of functors that a loop takes, by the class they derive from.
 functorKinds = ("BoundFunctor", "IGeomFunctor", "IPhysFunctor", "LawFunctor")
@@ -203,7 +203,7 @@ def _colliders(scene, given, contact, verletDist):
 			raise ValueError(f"functors has {_className(bounds[0])}, but contact is False; allowed are functors of bounds only with contact=True")
 		return []
 	ours = scene.forShapes(Brick=Bo1_Brick_Aabb, Wall=Bo1_Wall_Aabb, Box=Bo1_Box_Aabb)
-	return [InsertionSortCollider(_merged(ours, bounds), verletDist=defaultStrideShare * scene.shortestEdge() if verletDist is None else verletDist)]
+	return [InsertionSortCollider(_merged(ours, bounds), verletDist=scene.shortestEdge() / stridesInEdge if verletDist is None else verletDist)]
 
 
 def _interactionLoop(scene, given, choices):
@@ -382,7 +382,7 @@ def _deformation(loop, scene):
 		return False, _noDynamics
 	if set(scene.levels) <= {"rigid"}:
 		return False, f"{_counted(scene.bricks, 'brick')}, all rigid"
-	return True, f"{_counted(scene.bricks, 'brick')}: " + ", ".join(f"{count} {level}" for level, count in scene.levels.most_common())
+	return True, " and ".join(f"{count} {level}" for level, count in scene.levels.most_common()) + (" brick" if scene.bricks == 1 else " bricks")
 
 
 def _deformationOnDemand(loop, scene):
@@ -400,7 +400,7 @@ def _mortar(loop, scene):
 	if loop.law is None:
 		return False, _noLaw
 	if holding := sum(phys.jointed for phys in scene.pairs()):
-		return True, f"{_counted(holding, 'joint')} that hold, in full or in part"
+		return True, f"{_counted(holding, 'joint')}, holding in full or in part"
 	if scene.laid:
 		return False, "all joints have failed"
 	if loop._first("MortarJoints"):
@@ -415,7 +415,7 @@ def _failure(loop, scene):
 	if law is None:
 		return False, _noLaw
 	if not law.failure:
-		return False, "left out (failure of the law is False): segments that hold never fail"
+		return False, "left out: failure of the law is False, segments that hold never fail"
 	if not scene.laid and not scene.mortared:
 		return False, "no mortar that could fail"
 	failed = law.tensionFailures + law.shearFailures + law.compressionFailures
@@ -430,11 +430,18 @@ def _contact(loop, scene):
 	missing = [name for name in ("Bo1_Brick_Aabb", "Ig2_Brick_Brick_BrickGeom") if not any(_isA(functor, name) for functor in loop.functors)]
 	if missing:
 		return False, f"no {' and no '.join(missing)} in the loop"
-	why = f"whatever comes near; the collider strides by {1e3 * loop.collider.verletDist:g} mm"
-	if scene.spared:
-		why += f"; {_counted(scene.spared, 'brick')} with joints that all hold not searched against bricks laid edge to edge"
 	untouched = _untouched(loop, scene)
+	why = f"with whatever comes near; the collider strides by {1e3 * loop.collider.verletDist:g} mm"
 	return True, why + (f"; none for {', '.join(untouched)}: no functors" if untouched else "")
+
+
+def _contactInCore(loop, scene):
+	searched, why = _contact(loop, scene)
+	if not searched:
+		return False, why
+	if scene.spared:
+		return False, f"not searched between bricks laid edge to edge while their joints hold: now for {scene.spared} of {_counted(scene.bricks, 'brick')}"
+	return True, "searched everywhere: no brick has all its joints"
 
 
 def _untouched(loop, scene):
@@ -447,19 +454,19 @@ def _friction(loop, scene):
 	if loop.law is None:
 		return False, _noLaw
 	if not loop.law.friction:
-		return False, "left out (friction of the law is False)"
+		return False, "left out: friction of the law is False"
 	angles = [angle for clay in scene.clays for angle in (clay.frictionAngle, clay.mortarAngle) if angle is not None]
 	angles += {math.atan(phys.tangensOfFrictionAngle) for phys in scene.pairs()}
 	if not any(angle > 0 for angle in angles):
 		return False, "no material and no mortar has an angle of friction"
-	return True, f"in contacts and failed segments; angles of {_range(map(math.degrees, angles))} degrees"
+	return True, f"in contacts and failed segments; angle {_range(map(math.degrees, angles))} degrees"
 
 
 def _dashpots(loop, scene):
 	if loop.law is None:
 		return False, _noLaw
 	if not loop.law.dashpots:
-		return False, "left out (dashpots of the law is False)"
+		return False, "left out: dashpots of the law is False"
 	if not any(clay.hn or clay.hs for clay in scene.clays):
 		return False, "hn and hs of all materials are 0"
 	return True, f"in contacts and failed segments; hn {_range(clay.hn for clay in scene.clays)}, hs {_range(clay.hs for clay in scene.clays)}"
@@ -526,9 +533,21 @@ def _besides(loop, scene):
 
 
 _effects = {
-        "deformation": _deformation, "deformation on demand": _deformationOnDemand, "mortar": _mortar, "mortar failure": _failure, "contact": _contact,
-        "friction": _friction, "dashpots": _dashpots, "damping": _damping, "gravity": _gravityWords, "ground motion": _groundMotion, "energy ledger": _ledger,
-        "guard": _guard, "stable time step": _timeStep, "besides": _besides
+        "deformation": _deformation,
+        "deformation on demand": _deformationOnDemand,
+        "mortar": _mortar,
+        "mortar failure": _failure,
+        "contact": _contact,
+        "contact in the core": _contactInCore,
+        "friction": _friction,
+        "dashpots": _dashpots,
+        "damping": _damping,
+        "gravity": _gravityWords,
+        "ground motion": _groundMotion,
+        "energy ledger": _ledger,
+        "guard": _guard,
+        "stable time step": _timeStep,
+        "besides": _besides,
 }
 
 
