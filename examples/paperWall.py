@@ -109,6 +109,7 @@ class WallRun:
 		"""Brings the wall to rest under its weight: at once by the statics of the intact wall, or in time with damping that is then taken away."""
 		if self.chosen.settle == "static":
 			yade_brick.StaticEquilibrium()()
+			self.loop.newton.damping = 0.2  # of what round-off has left
 			O.step()  # finds the time step
 		else:
 			self.loop.newton.damping = self.loop.dynamics.damping = 0.3

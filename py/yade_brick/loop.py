@@ -380,7 +380,9 @@ _noDynamics = "no BrickDynamics in the loop: bricks feel neither joints nor cont
 def _deformation(loop, scene):
 	if loop.dynamics is None:
 		return False, _noDynamics
-	if set(scene.levels) <= {"rigid"}:
+	if not scene.bricks:
+		return False, "no bricks in the scene"
+	if set(scene.levels) == {"rigid"}:
 		return False, f"{_counted(scene.bricks, 'brick')}, all rigid"
 	return True, " and ".join(f"{count} {level}" for level, count in scene.levels.most_common()) + (" brick" if scene.bricks == 1 else " bricks")
 

@@ -258,6 +258,9 @@ class Words(Empty):
 		bricks(1, 1, deformation='rigid')
 		self.are('deformation', False, '1 brick, all rigid', loop=engines())
 		self.are('deformation', False, 'no BrickDynamics', loop=[])
+		loop = engines()
+		O.bodies.clear()
+		self.are('deformation', False, 'no bricks', loop=loop)
 
 	def test_deformation_on_demand(self):
 		wall(deformation='rigid')
