@@ -276,6 +276,7 @@ class _Scene:
 	def __init__(self):
 		from yade import Box, Brick, BrickMat, O, Wall
 		self.levels = Counter()  # bricks at each level of deformation
+		self.changing = 0  # bricks on the way to it
 		self.shapes = set()  # classes
 		self.clays = set()  # of bricks
 		self.hasPlainSupport = False  # of another material than BrickMat
@@ -288,6 +289,7 @@ class _Scene:
 			self.shapes.add(type(shape))
 			if isinstance(shape, Brick):
 				self.levels[shape.deformation] += 1
+				self.changing += shape.share < 1
 				self.laid = self.laid or shape.joints > 0
 				self.spared += shape.whole and len(shape.beside) > 0
 				if isinstance(material, BrickMat):
@@ -382,9 +384,10 @@ def _deformation(loop, scene):
 		return False, _noDynamics
 	if not scene.bricks:
 		return False, "no bricks in the scene"
-	if set(scene.levels) == {"rigid"}:
+	if set(scene.levels) == {"rigid"} and not scene.changing:
 		return False, f"{_counted(scene.bricks, 'brick')}, all rigid"
-	return True, " and ".join(f"{count} {level}" for level, count in scene.levels.most_common()) + (" brick" if scene.bricks == 1 else " bricks")
+	why = " and ".join(f"{count} {level}" for level, count in scene.levels.most_common()) + (" brick" if scene.bricks == 1 else " bricks")
+	return True, why + (f", {scene.changing} of which change to that level at present" if scene.changing else "")
 
 
 def _deformationOnDemand(loop, scene):

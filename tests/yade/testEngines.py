@@ -262,6 +262,18 @@ class Words(Empty):
 		O.bodies.clear()
 		self.are('deformation', False, 'no bricks', loop=loop)
 
+	def test_deformation_that_changes(self):
+		masonry = wall(columns=1)
+		O.engines = engines()
+		MortarJoints()()
+		O.run(20, True)
+		for body in masonry.bodies:
+			body.shape.deformation = 'rigid'
+		O.step()
+		self.are('deformation', True, '2 rigid bricks, 2 of which change')
+		O.run(math.ceil(1 / O.dt), True)
+		self.are('deformation', False, '2 bricks, all rigid')
+
 	def test_deformation_on_demand(self):
 		wall(deformation='rigid')
 		self.are('deformation on demand', False, 'not asked for', loop=engines())
