@@ -18,7 +18,8 @@ def kind(name, *bases):
 Functor = kind("Functor")
 BoundFunctor, LawFunctor = kind("BoundFunctor", Functor), kind("LawFunctor", Functor)
 Collider, TimeStepper, InteractionLoop = kind("Collider"), kind("TimeStepper"), kind("InteractionLoop")
-Mortar, OtherLaw, Bound = kind("Law2_BrickGeom_BrickPhys_Mortar", LawFunctor), kind("Law2_ScGeom_FrictPhys_CundallStrack", LawFunctor), kind("Bo1", BoundFunctor)
+Mortar, OtherLaw = kind("Law2_BrickGeom_BrickPhys_Mortar", LawFunctor), kind("Law2_ScGeom_FrictPhys_CundallStrack", LawFunctor)
+Bound = kind("Bo1_Brick_Aabb", BoundFunctor)
 InsertionSortCollider, BrickTimeStepper = kind("InsertionSortCollider", Collider), kind("BrickTimeStepper", TimeStepper)
 
 

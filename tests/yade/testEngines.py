@@ -161,6 +161,9 @@ class Asked(Empty):
 		self.assertEqual(engines(onDemand=dict(utilisation=.25)).onDemand.utilisation, .25)
 		own = yade_brick.DeformationOnDemand()
 		self.assertIs(engines(onDemand=own).onDemand, own)
+		O.engines = loop
+		MortarJoints()()
+		O.run(20, True)
 
 	def test_functors_are_sorted_by_kind_and_replace_ours(self):
 		wall()
