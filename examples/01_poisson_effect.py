@@ -89,18 +89,7 @@ def scene(poisson, inner, segments):
 	ground = O.bodies.append(wall(0, axis=2, sense=1, material=clay))
 	brickId = O.bodies.append(cube)
 	O.bodies.append(loader)
-	O.engines = [
-	        ForceResetter(),
-	        InsertionSortCollider([Bo1_Brick_Aabb(), Bo1_Wall_Aabb()], verletDist=.01),
-	        InteractionLoop(
-	                [Ig2_Brick_Brick_BrickGeom(), Ig2_Wall_Brick_BrickGeom()],
-	                [Ip2_BrickMat_BrickMat_BrickPhys()],
-	                [Law2_BrickGeom_BrickPhys_Mortar()],
-	        ),
-	        BrickTimeStepper(),
-	        BrickDynamics(damping=0.2),
-	        NewtonIntegrator(gravity=(0, 0, -gravity), damping=0.2),
-	]
+	O.engines = yade_brick.engines(gravity=(0, 0, -gravity), damping=0.2)
 	yade_brick.MortarJoints(ids=[ground, brickId])()
 	O.step()
 	return cube

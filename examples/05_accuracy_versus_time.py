@@ -54,26 +54,21 @@ memoryColumns = memoryCourses = 24
 
 
 def startScene(setting, young=9.8e6, poisson=0.25, breakable=False):
-	"""An empty scene with ground and engines, and the options of its bricks but for size and contact part."""
+	"""A scene with nothing but the ground, and the options of its bricks but for size and contact part."""
 	O.reset()
 	strength = (4.6e3, 2.9e3, 4.9e5) if breakable else (1e12, 1e12, 1e12)
 	mortar = yade_brick.Mortar(tensileStrength=strength[0], cohesion=strength[1], frictionAngle=friction, compressiveStrength=strength[2])
 	clay = yade_brick.BrickMat(young=young, poisson=poisson, density=1800, frictionAngle=friction, mortar=mortar)
 	O.bodies.append(wall(0, axis=2, sense=1, material=clay))
-	O.engines = [
-	        ForceResetter(),
-	        InsertionSortCollider([Bo1_Brick_Aabb(), Bo1_Wall_Aabb(), Bo1_Box_Aabb()], verletDist=.01),
-	        InteractionLoop(
-	                [Ig2_Brick_Brick_BrickGeom(), Ig2_Wall_Brick_BrickGeom(), Ig2_Box_Brick_BrickGeom()],
-	                [Ip2_BrickMat_BrickMat_BrickPhys(), Ip2_FrictMat_BrickMat_BrickPhys()],
-	                [Law2_BrickGeom_BrickPhys_Mortar(label="law")],
-	        ),
-	        BrickTimeStepper(safety=setting.safety),
-	        BrickDynamics(label="dynamics"),
-	        NewtonIntegrator(gravity=(0, 0, -9.8), label="newton"),
-	]
 	cells = setting.cells if setting.level == "refined" else None
 	return dict(material=clay, deformation=setting.level, element=setting.element, inner=setting.inner, segments=setting.segments, cells=cells)
+
+
+def addEngines(setting):
+	"""The loop of the bodies that are there."""
+	O.engines = loop = yade_brick.engines(gravity=(0, 0, -9.8), safety=setting.safety)
+	loop.newton.damping = 0.2
+	return loop
 
 
 def addWall(setting, columns=6, courses=6, **options):
@@ -81,6 +76,7 @@ def addWall(setting, columns=6, courses=6, **options):
 	given = startScene(setting, **options)
 	masonry = build.straightJointWall(columns, courses, (0.2, 0.2, 0.2), contactThickness=0.2 / setting.thinness, **given)
 	O.bodies.append(masonry.bodies)
+	addEngines(setting)
 	yade_brick.MortarJoints()()
 	return masonry
 
@@ -102,9 +98,10 @@ def cubeCase(row):
 		smooth = FrictMat(density=2.0e4, frictionAngle=0)
 		plate = O.bodies.append(box((0, 0, 1.5 * side), (0.5 * side,) * 3, material=smooth))
 		O.bodies[plate].dynamic = True
+		loop = addEngines(row.setting)
+		loop.newton.gravity, loop.dynamics.damping = (0, 0, 0), 0.2
 		yade_brick.MortarJoints(ids=[ground, brickId])()
 		O.forces.setPermF(plate, (0, 0, -2.0e4 * side**3 * 10))
-		newton.gravity, newton.damping, dynamics.damping = (0, 0, 0), 0.2, 0.2
 		O.step()
 		progress.runWithProgress(duration=1, label=f"nu = {poisson}", every=0.002, callback=lambda: unbalancedForce() < 1e-7)
 		corners = cornersOf(cube)
@@ -118,9 +115,10 @@ def cantileverCase(row):
 	given = startScene(row.setting)
 	bricks = [build.brick((0.2,) * 3, center=(0, 0, 0.2 * level + 0.1), contactThickness=0.2 / row.setting.thinness, **given) for level in range(5)]
 	O.bodies.append(bricks)
+	loop = addEngines(row.setting)
 	yade_brick.MortarJoints()()
 	errors = yade_brick.assembled().frequencies(len(accuracy.cantilever)) / accuracy.cantilever - 1
-	newton.gravity = (0.1, 0, -9.8)
+	loop.newton.gravity = (0.1, 0, -9.8)
 	O.step()
 	return {"error": accuracy.meanSquare(errors), "parts": dict(zip(("bending", "torsion", "second bending", "axial"), errors[[0, 2, 3, 5]]))}
 
@@ -152,8 +150,9 @@ def seismicCase(row):
 	masonry = addWall(row.setting, breakable=True)
 	yade_brick.StaticEquilibrium()()
 	O.step()
-	shake = build.groundMotion(motion.syntheticNearFault().scaled(row.scale), startTime=O.time)
-	O.engines = O.engines[:-1] + [shake] + O.engines[-1:]
+	loop = yade_brick.Loop(O.engines)
+	loop.insert(loop.index(loop.newton), build.groundMotion(motion.syntheticNearFault().scaled(row.scale), startTime=O.time))
+	O.engines, law = loop, loop.law
 	followed, start = masonry.courses[-1][0], O.time
 	home, heights = followed.state.pos[0], [body.state.pos[2] for body in masonry.bodies]
 	found = {"times": [], "displacements": [], "firstCrack": None, "collapse": None}

@@ -81,15 +81,7 @@ def buildWall(bond, thickness, variant, strength):
 
 def largestBedStress():
 	"""Largest normal stress of a segment of a bed joint [Pa], tension positive; negative: all are pressed."""
-	O.engines = [
-	        ForceResetter(),
-	        InsertionSortCollider([Bo1_Brick_Aabb(), Bo1_Wall_Aabb()], verletDist=0),
-	        InteractionLoop(
-	                [Ig2_Brick_Brick_BrickGeom(), Ig2_Wall_Brick_BrickGeom()],
-	                [Ip2_BrickMat_BrickMat_BrickPhys()],
-	                [Law2_BrickGeom_BrickPhys_Mortar()],
-	        ),
-	]
+	O.engines = [yade_brick.engines(contact=False).interactionLoop]
 	O.dt = 1e-9
 	O.step()  # tells joints their geometry; nothing moves
 	beds = [i for i in O.interactions if i.phys.jointed and abs(i.geom.normal[2]) > 0.5]

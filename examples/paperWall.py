@@ -13,7 +13,7 @@ import time
 import numpy as np
 
 import yade_brick
-from yade import O, Bo1_Wall_Aabb, ForceResetter, InsertionSortCollider, InteractionLoop, NewtonIntegrator
+from yade import O
 from yade.utils import coordsAndDisplacements, momentum
 from yade.utils import wall as supportingWall
 from yade_brick import build, picture, progress, report, rest, snapshot
@@ -101,41 +101,29 @@ class WallRun:
 		self.unloaded = corners(masonry.bodies)
 		O.bodies.append(supportingWall(0, axis=2, sense=1, material=masonry.bodies[0].material))
 		O.bodies.append(masonry.bodies)
-		self.law = yade_brick.Law2_BrickGeom_BrickPhys_Mortar()
-		self.stepper = yade_brick.BrickTimeStepper()
-		self.dynamics = yade_brick.BrickDynamics()
-		self.newton = NewtonIntegrator(gravity=(0, 0, -gravity))
-		O.engines = [
-		        ForceResetter(),
-		        InsertionSortCollider([yade_brick.Bo1_Brick_Aabb(), Bo1_Wall_Aabb()], verletDist=.01),
-		        InteractionLoop(
-		                [yade_brick.Ig2_Brick_Brick_BrickGeom(), yade_brick.Ig2_Wall_Brick_BrickGeom()],
-		                [yade_brick.Ip2_BrickMat_BrickMat_BrickPhys()],
-		                [self.law],
-		        ),
-		        self.stepper,
-		        self.dynamics,
-		        self.newton,
-		]
+		O.engines = self.loop = yade_brick.engines(gravity=(0, 0, -gravity))
+		self.law = self.loop.law
 		yade_brick.MortarJoints()()
 
 	def settle(self):
 		"""Brings the wall to rest under its weight: at once by the statics of the intact wall, or in time with damping that is then taken away."""
 		if self.chosen.settle == "static":
 			yade_brick.StaticEquilibrium()()
+			self.loop.newton.damping = 0.2  # of what round-off has left
 			O.step()  # finds the time step
 		else:
-			self.newton.damping = self.dynamics.damping = 0.3
+			self.loop.newton.damping = self.loop.dynamics.damping = 0.3
 			O.step()
 			progress.runWithProgress(duration=4, label="self weight", every=0.02, callback=lambda: rest.isAtRest(restRatio, restImbalance))
-		self.newton.damping = self.dynamics.damping = 0
+		self.loop.newton.damping = self.loop.dynamics.damping = 0
 		self.settled = SettledWall(self.masonry, self.unloaded, self.law)
 
 	def shake(self, motion):
 		"""Applies the ground motion and records what happens."""
 		self.motion = motion
 		ground = build.groundMotion(motion, startTime=O.time)
-		O.engines = O.engines[:-1] + [ground] + O.engines[-1:]
+		self.loop.insert(self.loop.index(self.loop.newton), ground)
+		O.engines = self.loop
 		self.recorder = Recorder(self.masonry, self.unloaded, self.law, self.chosen.duration, EnergyBalance(self.masonry, ground))
 		with yade_brick.Bill() if self.chosen.bill else contextlib.nullcontext() as self.bill:
 			self.stage = progress.runWithProgress(duration=self.chosen.duration, label="shaking", every=lookEvery, callback=self.recorder.look)
@@ -176,7 +164,7 @@ class WallRun:
 		        threads=O.numThreads,
 		        steps=O.iter,
 		        dt=O.dt,
-		        limitingBrick=self.stepper.limitingBrick,
+		        limitingBrick=self.loop.stepper.limitingBrick,
 		        settlingSeconds=self.settled.duration,
 		        unbalancedForceAfterSettling=self.settled.state.imbalance,
 		        atRest=self.settled.facts(),

@@ -36,10 +36,11 @@ def _load():
 _classes = _load()
 globals().update(_classes)
 
-from . import assembly, bill, build, motion, picture, progress, report, rest, snapshot
+from . import assembly, bill, build, loop, motion, picture, progress, report, rest, snapshot
 from .assembly import assembled
 from .bill import Bill
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
+from .loop import Loop, effects, engines
 from .motion import Motion, readAt2, readColumns, syntheticNearFault
 from .picture import historyPlot, pictureSeries, wallPicture
 from .progress import runWithProgress
