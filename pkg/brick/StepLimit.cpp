@@ -12,8 +12,6 @@ namespace {
 
 	constexpr std::size_t mostShared = 10000; // known steps kept: in a heap that never rests, new ones keep coming
 
-	brick::Elasticity elasticityOf(const BrickMat& m) { return { m.young, m.poisson }; }
-
 	/// Contact length of a face when no change of level goes on: while one does, springs are softer. A support has none.
 	Real contactLength(const Brick* shape, int face) { return shape ? shape->settledContactLength(face) : 0; }
 
@@ -24,9 +22,6 @@ namespace {
 			shortest = std::min(shortest, contactLength(&shape, f));
 		return shortest;
 	}
-
-	/// Largest c/k [s] of the dashpots of a spot, normal or shear.
-	Real dashpotTime(const brick::SpotSprings& k) { return std::max(k.normalDashpot / k.normal, k.shearDashpot / k.shear); }
 
 	/// Calls  touch(face of side 0, face of side 1, area)  for all pairs of faces of an interaction that touch at present. Those that come into touch later are
 	/// counted from the step after.
@@ -61,39 +56,25 @@ bool StepLimit::lawHasDashpots(const Scene& scene)
 	return *dashpots;
 }
 
-/// Two bodies that touch, as one of them sees the other.
-struct StepLimit::Touching {
-	const Brick &   shape;
-	const Brick*    other;         // null: a support
-	Real            normal, shear; // compliances of the other's material [1/Pa]
-	bool            held;
-	const BrickPhys& phys;
-	int              side;         // of the brick in the interaction
-
-	void add(int face, int its, Real area, FacePartners& p) const
-	{
-		const brick::PairSprings& pair = phys.springs();
-		p.normal[held] = std::min(p.normal[held], pair.mortarNormal + contactLength(other, its) * normal);
-		p.shear[held]  = std::min(p.shear[held], pair.mortarShear + contactLength(other, its) * shear);
-		p.coverage += area / shape.solid->faces[face].area;
-		if (!phys.damped) return;
-		const Real mine = contactLength(&shape, face), others = contactLength(other, its);
-		p.dashpotTime = std::max(p.dashpotTime, dashpotTime(side == 0 ? pair.at(mine, others) : pair.at(others, mine)));
-	}
-};
+void StepLimit::FacePartners::add(const brick::SpotSprings& k, bool held)
+{
+	const Real times   = held ? 1 : 2;
+	most.normal        = std::max(most.normal, times * k.normal);
+	most.shear         = std::max(most.shear, times * k.shear);
+	most.normalDashpot = std::max(most.normalDashpot, times * k.normalDashpot);
+	most.shearDashpot  = std::max(most.shearDashpot, times * k.shearDashpot);
+}
 
 /// What a brick that nothing touches may meet any time with any face: its like.
-StepLimit::FacePartners StepLimit::likeOf(const Brick& shape, const BrickMat& material, bool damped) const
+StepLimit::Partners StepLimit::likesOf(const Brick& shape, const BrickMat& material, bool damped) const
 {
-	const Real   l = shortestContactLength(shape);
-	FacePartners like;
-	like.normal[0] = l * elasticityOf(material).normalCompliance();
-	like.shear[0]  = l * elasticityOf(material).shearCompliance();
-	like.coverage  = 1;
-	const auto pair = pairSprings(material, false, material);
-	for (int f = 0; damped && f < brick::faceCount; ++f)
-		like.dashpotTime = std::max(like.dashpotTime, dashpotTime(pair.at(contactLength(&shape, f), contactLength(&shape, f))));
-	return like;
+	const Real         l = shortestContactLength(shape);
+	brick::PairSprings pair = pairSprings(material, false, material);
+	if (!damped) pair.normalDamping = pair.shearDamping = 0;
+	Partners likes;
+	for (int f = 0; f < brick::faceCount; ++f)
+		likes[f].add(pair.at(contactLength(&shape, f), l), false), likes[f].coverage = 1;
+	return likes;
 }
 
 StepLimit::Partners StepLimit::partnersOf(const Body& b, const Brick& shape, const BrickMat& material, Scene* scene)
@@ -103,20 +84,21 @@ StepLimit::Partners StepLimit::partnersOf(const Body& b, const Brick& shape, con
 	for (const auto& item : b.intrs) {
 		const auto* phys = asBrickPhys(item.second->phys);
 		if (!phys || !item.second->geom) continue;
-		const auto&    other    = Body::byId(item.first, scene);
-		const auto*    otherMat = asBrickMat(other->material);
-		const Brick*   otherShape = otherMat ? asBrick(other->shape) : nullptr;
-		const auto     elastic  = otherShape ? elasticityOf(*otherMat) : brick::Elasticity { 1, 0 };
-		const Touching touching { shape, otherShape, elastic.normalCompliance(), elastic.shearCompliance(), !other->isDynamic(), *phys, phys->ids[0] == b.getId() ? 0 : 1 };
+		const Body&                       other = *Body::byId(item.first, scene);
+		const int                         side  = phys->ids[0] == b.getId() ? 0 : 1;
+		const std::array<const Brick*, 2> bricks { side == 0 ? &shape : asBrick(other.shape), side == 1 ? &shape : asBrick(other.shape) };
+		brick::PairSprings                pair = phys->springs();
+		if (!phys->damped) pair.normalDamping = pair.shearDamping = 0;
 		forEachTouch(static_cast<const BrickGeom&>(*item.second->geom), *phys, [&](int face0, int face1, Real area) {
-			const int mine = touching.side == 0 ? face0 : face1;
-			touching.add(mine, touching.side == 0 ? face1 : face0, area, p[mine]);
+			const int face = side == 0 ? face0 : face1;
+			p[face].add(pair.at(contactLength(bricks[0], face0), contactLength(bricks[1], face1)), !other.isDynamic());
+			p[face].coverage += area / shape.solid->faces[face].area;
 		});
 		alone = false, damped = damped || phys->damped;
 	}
 	// what touches a bare face is seen in the step that it does so
 	if (std::all_of(p.begin(), p.end(), [](const FacePartners& face) { return face.coverage == 0; }))
-		p.fill(likeOf(shape, material, alone ? lawHasDashpots(*scene) : damped));
+		return likesOf(shape, material, alone ? lawHasDashpots(*scene) : damped);
 	for (auto& face : p)
 		if (face.coverage > 0) face.coverage = atLeastOnce(face.coverage);
 	return p;
@@ -128,11 +110,9 @@ brick::LargestStep StepLimit::stepOf(const Body& b, Brick& shape, const BrickMat
 	const brick::InnerPart*                          inner = shape.innerPart(material);
 	std::array<brick::FaceSprings, brick::faceCount> springs;
 	for (int f = 0; f < brick::faceCount; ++f) {
-		const FacePartners& its = partners[f];
-		const Real          l = contactLength(&shape, f), n = l * elasticityOf(material).normalCompliance(), s = l * elasticityOf(material).shearCompliance();
-		springs[f] = { its.coverage * std::max(2 / (n + its.normal[0]), 1 / (n + its.normal[1])),
-			       its.coverage * std::max(2 / (s + its.shear[0]), 1 / (s + its.shear[1])),
-			       its.dashpotTime };
+		const brick::SpotSprings& most = partners[f].most;
+		if (partners[f].coverage == 0) continue;
+		springs[f] = { partners[f].coverage * most.normal, partners[f].coverage * most.shear, std::max(most.normalDashpot / most.normal, most.shearDashpot / most.shear) };
 	}
 	std::vector<Real> key { state.mass, state.inertia[0], state.inertia[1], state.inertia[2] };
 	for (const auto& f : springs)

@@ -22,18 +22,12 @@ public:
 	void update(Scene&);
 
 private:
-	static constexpr Real infinity = std::numeric_limits<Real>::infinity();
-
-	/// The stiffest that one face of a brick has joints or contact with: compliance per area beyond the brick's own [m/Pa], of bodies that move and of bodies that
-	/// are held.
+	/// The stiffest springs and dashpots that one face of a brick has, by area; twice those to bodies that can move (kernel/StableStep).
 	struct FacePartners {
-		std::array<Real, 2> normal { infinity, infinity }, shear { infinity, infinity }; // moving, held
-		Real                dashpotTime = 0;                                             // longest c/k [s]
-		Real                coverage    = 0; // how often it is covered at present: 0 where bare, otherwise 1, or more where partners overlap
-		bool                operator==(const FacePartners& o) const
-		{
-			return normal == o.normal && shear == o.shear && dashpotTime == o.dashpotTime && coverage == o.coverage;
-		}
+		brick::SpotSprings most;
+		Real               coverage = 0; // how often it is covered at present: 0 where bare, otherwise 1, or more where partners overlap
+		void               add(const brick::SpotSprings&, bool held);
+		bool               operator==(const FacePartners& o) const { return most == o.most && coverage == o.coverage; }
 	};
 	using Partners = std::array<FacePartners, brick::faceCount>;
 	/// What a brick was counted with.
@@ -47,10 +41,8 @@ private:
 
 	std::optional<bool> dashpots; // see lawHasDashpots; found once in an update, if it is asked for
 
-	struct Touching;
-
 	bool               lawHasDashpots(const Scene&);
-	FacePartners       likeOf(const Brick&, const BrickMat&, bool damped) const;
+	Partners           likesOf(const Brick&, const BrickMat&, bool damped) const;
 	Partners           partnersOf(const Body&, const Brick&, const BrickMat&, Scene*);
 	brick::LargestStep stepOf(const Body&, Brick&, const BrickMat&, const Partners&);
 	void               count(const Body&, Brick&, const BrickMat&, Scene*);

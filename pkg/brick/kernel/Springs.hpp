@@ -26,6 +26,11 @@ struct SpotSprings {
 	Real shear         = 0; ///< ks [Pa/m]
 	Real normalDashpot = 0; ///< cn [Pa s/m]
 	Real shearDashpot  = 0; ///< cs [Pa s/m]
+
+	bool operator==(const SpotSprings& o) const
+	{
+		return normal == o.normal && shear == o.shear && normalDashpot == o.normalDashpot && shearDashpot == o.shearDashpot;
+	}
 };
 
 /// A tangential vector, shortened to a largest length: Coulomb's limit, eq. (9).
@@ -40,12 +45,12 @@ struct PairSprings {
 	std::array<Real, 2> normalCompliance { 0, 0 }; ///< (1-nu^2)/E of both sides [1/Pa]; zero for a support
 	std::array<Real, 2> shearCompliance { 0, 0 };  ///< 2(1+nu)/E of both sides [1/Pa]
 	std::array<Real, 2> density { 0, 0 };          ///< [kg/m3]; zero for a support
-	Real                mortarNormal  = 0;         ///< what the mortar adds to 1/kn [m/Pa], eq. (2)
-	Real                mortarShear   = 0;         ///< what the mortar adds to 1/ks [m/Pa]
+	Real                mortarNormal    = 0;       ///< what the mortar adds to 1/kn [m/Pa], eq. (2)
+	Real                mortarShear     = 0;       ///< what the mortar adds to 1/ks [m/Pa]
 	Real                mortarThickness = 0;       ///< of which a half is taken from the contact length of each side [m]
-	Real                normalDamping = 0;         ///< hn of eq. (4)
-	Real                shearDamping  = 0;         ///< hs of eq. (4)
-	Real                tanFriction   = 0;         ///< tan(phi) of contact, eq. (9)
+	Real                normalDamping   = 0;       ///< hn of eq. (4)
+	Real                shearDamping    = 0;       ///< hs of eq. (4)
+	Real                tanFriction     = 0;       ///< tan(phi) of contact, eq. (9)
 
 	/// Adds mortar of thickness tM [m] between the two sides, eq. (2).
 	void setMortar(const Elasticity& mortar, Real thickness);
