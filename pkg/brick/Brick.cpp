@@ -228,7 +228,7 @@ void Brick::postLoad(Brick&)
 void Brick::beginLevel()
 {
 	level = wanted;
-	share = progress = 1;
+	share = progress = lastShare = 1;
 	inside.reset();
 	amplitudes.clear(), rates.clear(), displacementRate.clear();
 	displacement.assign(isDeformable() ? surfaceNodes() : 0, Vector3r::Zero());
@@ -242,23 +242,26 @@ void Brick::setContactLengths()
 	}
 }
 
-void Brick::changeLevel(const BrickMat& material, Real dt, Real duration)
+Real Brick::changeLevel(const BrickMat& material, Real dt, Real duration)
 {
 	constexpr Real periods = 4; // of the slowest mode: the element follows its load to some per cent
 	const auto     part    = [&] {
                 const Real whole = std::isnan(duration) ? periods * 2 * M_PI / std::sqrt(inside->modes.omegaSquared.front()) : duration;
                 return whole > dt ? dt / whole : 1;
 	};
+	Real dropped = 0;
 	innerPart(material);
 	if (level == wanted) progress = isDeformable() ? std::min<Real>(1, progress + part()) : 1;
 	else if (isDeformable() && progress > part())
 		progress -= part();
 	else {
+		dropped = elasticEnergy() + kineticEnergy();
 		beginLevel();
 		if (innerPart(material)) progress = part();
 	}
 	share = progress * progress * (3 - 2 * progress); // without a jump of its rate, which would leave vibration
 	setContactLengths();
+	return dropped;
 }
 
 brick::InnerPartType Brick::innerPartType() const
@@ -312,6 +315,9 @@ void Brick::advance(
 	if (energy) amplitudes0 = amplitudes, rates0 = rates;
 	brick::advanceModes(omegaSquared, load, dampingRatio, localDamping, dt, amplitudes.data(), rates.data());
 	if (energy) *energy = brick::modeEnergy(omegaSquared, load, amplitudes0.data(), rates0.data(), rates.data(), dampingRatio, localDamping, dt);
+	if (energy && share != lastShare)
+		energy->stiffened = brick::stiffeningEnergy(inside->modes.omegaSquared, 1 / share - 1 / lastShare, amplitudes0.data(), rates0.data(), dt);
+	lastShare = share;
 	if (work) *work += dt / 2 * (before + f.dot(rate));
 	updateNodes(nodeRates); // overwrites the loads
 }

@@ -53,8 +53,8 @@ public:
 	bool isChanging() const { return changing; }                     ///< one does, or joints have yet to take up what the contact lengths are now
 
 	/// A step of the change of level towards the attributes: the brick's compliance moves from the springs into the element, or back.
-	/// @param duration of the whole change [s]; NaN: some periods of the slowest mode, 0: at once
-	void changeLevel(const BrickMat&, Real dt, Real duration);
+	/// @param duration of the whole change [s]; NaN: some periods of the slowest mode, 0: at once   @return energy of the deformation that ends with it [J]
+	Real changeLevel(const BrickMat&, Real dt, Real duration);
 	void noteTakenUp() { changing = !isSettled(); } ///< joints have taken up the contact lengths
 
 	/// What the contact lengths are when no change goes on: the shortest that they can have at this level.
@@ -157,7 +157,8 @@ Limitations: small strain in the co-rotated frame; inertia forces of the rotatio
 
 private:
 	BrickLevel                         wanted; // by the attributes as they were last found right
-	bool                               changing = false;
+	bool                               changing  = false;
+	Real                               lastShare = 1; // in the last step
 	shared_ptr<const brick::InnerPart> inside;
 	BrickLevel                         wantedLevel() const;
 	void                               keepDeformation(const brick::Nodes&);

@@ -238,7 +238,7 @@ void BrickDynamics::changeLevels()
 		const Body& b       = *(*scene->bodies)[id];
 		Brick&      shape   = static_cast<Brick&>(*b.shape);
 		const auto  before = shape.level;
-		if (!shape.isSettled()) shape.changeLevel(static_cast<const BrickMat&>(*b.material), scene->dt, levelTime);
+		if (!shape.isSettled()) energyLedger.dropped += shape.changeLevel(static_cast<const BrickMat&>(*b.material), scene->dt, levelTime);
 		takeUpContactLengths(b, *scene);
 		shape.noteTakenUp();
 		softer = softer || (shape.level != before && !shape.isDeformable());

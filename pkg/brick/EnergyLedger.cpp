@@ -23,7 +23,7 @@ struct EnergyLedger::Sums {
 	Vector3r gravity { Vector3r::Zero() };
 	Real     kinetic = 0, supportWork = 0;
 	Vector3r heldMomentum { Vector3r::Zero() }; // of bodies that forces do not move
-	Real     modesKinetic = 0, modesElastic = 0, modesDamping = 0;
+	Real     modesKinetic = 0, modesElastic = 0, modesDamping = 0, modesStiffened = 0;
 };
 
 void EnergyLedger::addFree(Scene& scene, const Body& b, const BodyStep& step, Sums& sums)
@@ -48,6 +48,7 @@ void EnergyLedger::addModes(Sums& sums)
 	sums.modesDamping = dampedLate, dampedLate = 0;
 	for (const auto& m : modes) {
 		sums.modesKinetic += m.kinetic, sums.modesElastic += m.elastic, sums.modesDamping += m.dampedBefore;
+		sums.modesStiffened += m.stiffened;
 		dampedLate += m.dampedAfter;
 	}
 }
@@ -80,6 +81,7 @@ void EnergyLedger::book(Scene& scene, Real lastDt, const std::vector<BodyStep>& 
 	add(scene, pairs.friction, "plastDissip", accumulated);
 	add(scene, pairs.dashpot, "dashpots", accumulated);
 	add(scene, pairs.area, "contactArea", accumulated);
+	add(scene, pairs.level - sums.modesStiffened + std::exchange(dropped, 0), "levelChange", accumulated);
 	add(scene, sums.supportWork, "supportWork", accumulated);
 	// YADE counts bodies that are held, too
 	add(scene, sums.gravity.dot(sums.heldMomentum) * scene.dt, "gravWork", accumulated);

@@ -15,6 +15,9 @@ public:
 	/// Room for the modes of each body in this step.
 	std::vector<brick::ModeEnergy> modes;
 
+	/// What bricks that have become rigid had left when they did, to be booked with the next step [J].
+	Real dropped = 0;
+
 	/// Books a step.
 	/// @param lastDt time step of the step before [s]   @param steps what joints and contacts do to each body
 	/// @param acting interactions that act in this step, each once

@@ -44,6 +44,16 @@ ModeEnergy modeEnergy(
 	return out;
 }
 
+Real stiffeningEnergy(const std::vector<Real>& omegaSquared, Real change, const Real* amplitude, const Real* rateBefore, Real dt)
+{
+	Real sum = 0;
+	for (std::size_t k = 0; k < omegaSquared.size(); ++k) {
+		const Real mean = amplitude[k] - dt / 2 * rateBefore[k];
+		sum += omegaSquared[k] * mean * mean;
+	}
+	return change / 2 * sum;
+}
+
 void ModeColumns::sum(const std::vector<Real>& columns, int rows, int count, const Real* x, Real* y)
 {
 	BRICK_BEST_INSTRUCTION_SET(sumAllColumns)(columns.data(), rows, count, x, y);

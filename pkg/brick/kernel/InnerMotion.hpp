@@ -38,10 +38,16 @@ inline ModeState advanced(const ModeState& mode, Real load, Real omegaSquared, R
 struct ModeEnergy {
 	Real kinetic = 0, elastic = 0;           ///< [J]
 	Real dampedBefore = 0, dampedAfter = 0; ///< what the damping of this step takes from the half step before it and from the one after it [J]
+	Real stiffened = 0;                     ///< what a change of their stiffness since the step before has put in [J]
 };
 /// @param load, amplitude, rateBefore, rateAfter of each mode; amplitudes at step n
 ModeEnergy modeEnergy(
         const std::vector<Real>& omegaSquared, const Real* load, const Real* amplitude, const Real* rateBefore, const Real* rateAfter, Real zeta, Real localDamping, Real dt);
+
+/// What a change of the modes' stiffness puts in, at step n [J]: with the energies above, half the change of omega^2 times the squared mean of the amplitudes at
+/// n - 1 and n.
+/// @param change of the factor on omega^2   @param dt of the step to n
+Real stiffeningEnergy(const std::vector<Real>& omegaSquared, Real change, const Real* amplitude, const Real* rateBefore, Real dt);
 
 /// All modes of a brick, the same.
 /// @param amplitudes, rates of each; replaced

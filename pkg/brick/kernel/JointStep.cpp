@@ -213,7 +213,7 @@ namespace {
 	{
 		const JointAxes axes(m);
 		for (std::size_t i = 0; i < m.patches.size(); ++i)
-			ledger.addHolding(i, openingOf(joint, m.patches[i], axes), holdingEnergy(joint, m.patches[i], m.normal, loads.forces[i]));
+			ledger.addHolding(joint, i, openingOf(joint, m.patches[i], axes), holdingEnergy(joint, m.patches[i], m.normal, loads.forces[i]));
 	}
 
 } // namespace
@@ -230,7 +230,7 @@ Failures jointLoads(
 {
 	const Failures before = joint.failures;
 	loads.forces.resize(m.patches.size(), boost::container::default_init);
-	if (ledger) ledger->begin(m.patches.size());
+	if (ledger) ledger->begin(joint);
 	if (joint.holds() && keepsHolding(joint, m, terms.failure, sum.penetration)) {
 		for (std::size_t i = 0; i < m.patches.size(); ++i)
 			BRICK_BEST_INSTRUCTION_SET(setHoldingForce)(joint, m, int(i), loads.forces[i]);

@@ -56,8 +56,12 @@ namespace {
 		        , state(SegmentState(int(after.row(JointSegments::State)[i])))
 		{
 		}
-		/// Stretch of the springs that are left.
-		Vector3r stretch() const
+		/// Stretch of the springs that are left, in this step and in the one before.
+		Vector3r stretch() const { return stretchOf(state, opening, slip); }
+		Vector3r stretch0() const { return stretchOf(state0, opening0, slip0); }
+
+	private:
+		static Vector3r stretchOf(SegmentState state, const Vector3r& opening, const Vector3r& slip)
 		{
 			if (state == SegmentState::Intact) return opening;
 			return { std::min(0., opening[0]), opening[1] - slip[1], opening[2] - slip[2] };
@@ -78,17 +82,41 @@ namespace {
 
 } // namespace
 
-void JointLedger::begin(std::size_t count)
+void JointLedger::begin(const Joint& joint)
 {
-	energy = {};
+	const std::size_t count = joint.shape->patches.size();
+	energy                  = {};
+	last                    = patches.size() == count ? present : joint.springs;
+	present                 = joint.springs;
 	if (patches.size() != count) patches.assign(count, {});
 }
 
-void JointLedger::addHolding(std::size_t patch, const SegmentField& opening, Real elastic)
+namespace {
+
+	/// Values at the corners of the rectangle.
+	Vector4r atCorners(const Real (&c)[4]) { return { c[0], c[0] + c[1], (c[0] + c[1]) + (c[2] + c[3]), c[0] + c[2] }; }
+
+	/// What stiffer springs hold more, by stretches of the step before and of this one.
+	Real stiffening(const SpotSprings& from, const SpotSprings& to, const Vector3r& stretch0, const Vector3r& stretch)
+	{
+		const Real normal = (to.normal - from.normal) / 2, shear = (to.shear - from.shear) / 2;
+		return normal * stretch0[0] * stretch[0] + shear * (stretch0[1] * stretch[1] + stretch0[2] * stretch[2]);
+	}
+
+} // namespace
+
+void JointLedger::addHolding(const Joint& joint, std::size_t number, const SegmentField& opening, Real elastic)
 {
+	Patch& patch = patches[number];
 	energy.elastic += elastic;
-	patches[patch].known   = true;
-	patches[patch].opening = opening;
+	if (patch.known && !(present == last)) {
+		const CornerWeights& weight = joint.shape->patches[number].weight;
+		const auto product = [&](const Real(&u0)[4], const Real(&u)[4]) { return atCorners(u0).dot(weight * atCorners(u)); };
+		energy.level -= (present.normal - last.normal) / 2 * product(patch.opening.normal, opening.normal)
+		        + (present.shear - last.shear) / 2 * (product(patch.opening.tangent1, opening.tangent1) + product(patch.opening.tangent2, opening.tangent2));
+	}
+	patch.known   = true;
+	patch.opening = opening;
 }
 
 void JointLedger::addSwept(std::size_t number, const JointSegments& before, const JointSegments& after, const SegmentSweep& sweep)
@@ -103,13 +131,14 @@ void JointLedger::addSwept(std::size_t number, const JointSegments& before, cons
 		const Real        p = after.row(JointSegments::P)[i], q = after.row(JointSegments::Q)[i], area = after.row(JointSegments::Area)[i];
 		const Vector3r    stretch = s.stretch(), elastic = springs.traction(stretch);
 		energy.elastic += area * springs.energy(stretch);
+		energy.level -= area * stiffening(last, present, s.stretch0(), s.state0 == SegmentState::Intact ? s.opening : stretch);
 		if (s.state == SegmentState::Intact) continue;
 		if (s.state0 == SegmentState::Intact) {
 			const Vector3r lost = springs.traction(s.opening) - elastic;
 			energy.fracture += area * (springs.energy(s.opening) - springs.energy(stretch) - lost.dot(s.opening - s.opening0) / 2);
 		} else if (slipped) {
-			const Vector3r stretch0(0, s.opening0[1] - s.slip0[1], s.opening0[2] - s.slip0[2]);
-			energy.friction += area / 2 * (springs.traction(stretch0) + Vector3r(0, elastic[1], elastic[2])).dot(s.slip - s.slip0);
+			const Vector3r elastic0 = Springs { last }.traction(s.stretch0());
+			energy.friction += area / 2 * (elastic0 + elastic).dot(s.slip - s.slip0);
 		}
 		if (sweep.terms.dashpots) addMoments(dashpots, area * dashpotTraction(sweep, s, elastic, p, q), p, q);
 	}
@@ -154,8 +183,21 @@ void ContactLedger::begin(
 		const auto found = std::lower_bound(memory.keys.begin(), memory.keys.end(), spot.key);
 		if (found == memory.keys.end() || *found != spot.key) continue;
 		const Vector3r& traction = memory.tractions[found - memory.keys.begin()];
-		last.push_back({ spot.key, spot.area, spot.area / 2 * traction.squaredNorm() / springsOf(spot, side0, side1, pair).shear, traction, Vector3r::Zero() });
+		const SpotSprings k      = springsOf(spot, side0, side1, pair);
+		const Real        pressed = spot.area * spot.penetration * pressedDepth(spot, spot.owner == 0 ? side1 : side0);
+		last.push_back({ spot.key, spot.area, spot.area / 2 * traction.squaredNorm() / k.shear, traction, Vector3r::Zero(), k, pressed });
 	}
+}
+
+/// Gives a spot of the step before the springs of this one. Its shear traction stays; of the penetrations at both ends the geometric mean counts.
+/// @return what this takes [J]
+Real ContactLedger::stiffen(Spot& was, const SpotSprings& k, Real pressed)
+{
+	if (was.springs == k) return 0;
+	const Real shearEnergy = was.shearEnergy * was.springs.shear / k.shear;
+	const Real put         = (k.normal - was.springs.normal) / 2 * std::sqrt(std::max(0., was.pressed * pressed)) + shearEnergy - was.shearEnergy;
+	was.springs = k, was.shearEnergy = shearEnergy;
+	return -put;
 }
 
 void ContactLedger::add(
@@ -175,18 +217,20 @@ void ContactLedger::add(
 		const ContactSpot& spot = spots[i];
 		for (; before != last.end() && before->key < spot.key; ++before)
 			energy.area += before->shearEnergy; // it has left
-		Spot was { spot.key, spot.area, 0, Vector3r::Zero(), Vector3r::Zero() };
-		if (before != last.end() && before->key == spot.key) was = *before++;
-
 		const Side &      owner = spot.owner == 0 ? side0 : side1, &other = spot.owner == 0 ? side1 : side0;
 		const Matrix3r&   axes   = owner.placement.rotation;
 		const SpotSprings k      = springsOf(spot, side0, side1, pair);
+		Spot              was { spot.key, spot.area, 0, Vector3r::Zero(), Vector3r::Zero(), k, 0 };
+		if (before != last.end() && before->key == spot.key) was = *before++;
+		const Real pressed = spot.area * spot.penetration * pressedDepth(spot, other);
+		energy.level += stiffen(was, k, pressed);
+
 		const Vector3r    normal = other.placement.rotation * other.solid->faces[spot.otherFace].normal, moved = dt * relativeVelocity(spot, owner, other);
 		const Vector3r    sliding = moved - moved.dot(normal) * normal, turned = axes * was.traction;
 		const Vector3r    traction = terms.friction ? memory.tractions[i] : Vector3r(Vector3r::Zero());
 		const Vector3r    tau0 = turned - turned.dot(normal) * normal, tau = axes * traction;
 		const Real        shearEnergy = spot.area / 2 * tau.squaredNorm() / k.shear;
-		energy.elastic += spot.area / 2 * k.normal * spot.penetration * pressedDepth(spot, other) + shearEnergy;
+		energy.elastic += k.normal / 2 * pressed + shearEnergy;
 		energy.friction -= spot.area / 2 * (tau0 + tau).dot(sliding + (tau - tau0) / k.shear);
 		energy.area += (1 - spot.area / was.area) * was.shearEnergy + (spot.area - was.area) / 2 * tau0.dot(sliding);
 
@@ -198,7 +242,7 @@ void ContactLedger::add(
 			dashpot              = spot.area * ((pressure - spring) * normal + shear - tau);
 		}
 		energy.dashpot -= (axes * was.dashpot + dashpot).dot(moved) / 2;
-		present.push_back({ spot.key, spot.area, shearEnergy, traction, axes.transpose() * dashpot });
+		present.push_back({ spot.key, spot.area, shearEnergy, traction, axes.transpose() * dashpot, k, pressed });
 	}
 	for (; before != last.end(); ++before)
 		energy.area += before->shearEnergy;

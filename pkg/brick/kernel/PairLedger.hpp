@@ -7,6 +7,8 @@
 //     friction   mean of tau at both ends times the slip
 //     failure    U before less U after, less the work that the lost traction did not do: half of it times the displacement
 //     dashpots   mean of their tractions at both ends times the displacement
+//     level      springs that a change of a brick's level of deformation made stiffer, or softer: less what this put in, half the change of k times the stretches
+//                at both ends
 //     area       of contact: what comes into contact has the shear traction of its spot at once, what leaves takes it away, and no force does that work
 // work done on the springs is accounted for exactly as long as they are linear: what is missing in the sum of all energies was made, or lost, by a nonlinear
 // step (a segment that opens or closes within it), by axes that turn, or where a contact's edge lies between faces of unlike springs.
@@ -20,11 +22,11 @@ namespace brick {
 
 /// What the springs of a pair hold at present, and what was taken since the step before [J].
 struct PairEnergy {
-	Real elastic = 0, fracture = 0, friction = 0, dashpot = 0, area = 0;
+	Real elastic = 0, fracture = 0, friction = 0, dashpot = 0, area = 0, level = 0;
 
 	PairEnergy& operator+=(const PairEnergy& e)
 	{
-		elastic += e.elastic, fracture += e.fracture, friction += e.friction, dashpot += e.dashpot, area += e.area;
+		elastic += e.elastic, fracture += e.fracture, friction += e.friction, dashpot += e.dashpot, area += e.area, level += e.level;
 		return *this;
 	}
 };
@@ -34,9 +36,9 @@ class JointLedger {
 public:
 	PairEnergy energy; ///< of the last step
 
-	void begin(std::size_t patches);
+	void begin(const Joint&);
 	/// Of a patch all of whose segments hold. @param opening as in SegmentSweep @param elastic [J]
-	void addHolding(std::size_t patch, const SegmentField& opening, Real elastic);
+	void addHolding(const Joint&, std::size_t patch, const SegmentField& opening, Real elastic);
 	/// Of a patch whose segments were swept. What shear was held when friction is switched off goes to friction, once. @param before the segments then
 	void addSwept(std::size_t patch, const JointSegments& before, const JointSegments& after, const SegmentSweep&);
 
@@ -46,6 +48,7 @@ private:
 		SegmentField opening, dashpot {}; ///< moments of the dashpots' tractions with 1, p, q, pq [N]
 	};
 	std::vector<Patch> patches;
+	SpotSprings        present, last; ///< in this step and in the one before
 };
 
 /// Remembers a contact's step.
@@ -68,11 +71,15 @@ public:
 private:
 	/// A spot in the step before; owner's axes.
 	struct Spot {
-		int      key; // ascending
-		Real     area, shearEnergy;
-		Vector3r traction, dashpot; // [Pa], [N]
+		int         key; // ascending
+		Real        area, shearEnergy;
+		Vector3r    traction, dashpot; // [Pa], [N]
+		SpotSprings springs;
+		Real        pressed; // area times the mean of the squared penetration [m4]
 	};
 	std::vector<Spot> last;
+
+	static Real stiffen(Spot& was, const SpotSprings&, Real pressed);
 };
 
 } // namespace brick
