@@ -21,7 +21,8 @@ def options(words):
 	parser.add_argument("--only", metavar="WORD,..", default="", help="only effects whose names contain one of these words")
 	parser.add_argument("--instruction-set", type=int, choices=(0, 1), default=1, help="0: any x86-64, 1: AVX2 (default); valgrind knows no AVX-512")
 	parser.add_argument("--yade", metavar="PROGRAM", default=build / "yade", help="YADE with the plugin (default: build/yade)")
-	parser.add_argument("--switch", metavar="LIBRARY", default=build / "benchmarks" / "libcallgrindSwitch.so", help="default: build/benchmarks/libcallgrindSwitch.so")
+	switch = build / "benchmarks" / "libcallgrindSwitch.so"
+	parser.add_argument("--switch", metavar="LIBRARY", default=switch, help="default: build/benchmarks/libcallgrindSwitch.so")
 	parser.add_argument("--out", metavar="DIR", default=build / "payAsYouGo", help="folder for payAsYouGo.md and payAsYouGo.json")
 	chosen = parser.parse_args(words)
 	asked = [word for word in chosen.only.split(",") if word]

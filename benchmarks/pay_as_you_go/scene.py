@@ -25,7 +25,8 @@ from effects import Scene
 
 side, warmSteps = 0.2, 10
 fixedStep = 5e-6  # stable with every effect [s]
-tilt = {True: 1.5e-3, False: 1e-4}  # of rigid and of other bricks: opens joints beyond what mortar holds, and closes them by a fraction of what crushes it [rad]
+# of rigid and of other bricks: opens joints beyond what mortar holds, and closes them by a fraction of what crushes it [rad]
+tilt = {True: 1.5e-3, False: 1e-4}
 overlap = 1e-5  # of dry bricks, by the brick
 
 mortar = yade_brick.Mortar(tensileStrength=4.6e3, cohesion=2.9e3, frictionAngle=math.radians(32), compressiveStrength=4.9e5)
@@ -72,13 +73,11 @@ class Built:
 		self.dynamics = yade_brick.BrickDynamics(guard=options.guard, stopFile="")
 		self.motion = yade_brick.GroundMotion(dt=1, acceleration=2 * [Vector3(1, 0, 0)])
 		self.onDemand = yade_brick.DeformationOnDemand() if options.onDemand else None
-		chosen = {self.collider: options.contact, self.stepper: options.stepper, self.onDemand: options.onDemand, self.motion: options.motion}
-		O.engines = [
-		        engine for engine in (
-		                ForceResetter(), self.collider, self.loop, self.stepper, self.onDemand, self.dynamics, self.motion,
-		                NewtonIntegrator(damping=0, gravity=(0, 0, -9.8))
-		        ) if chosen.get(engine, True)
+		engines = [
+		        ForceResetter(), options.contact and self.collider, self.loop, options.stepper and self.stepper, self.onDemand, self.dynamics,
+		        options.motion and self.motion, NewtonIntegrator(damping=0, gravity=(0, 0, -9.8))
 		]
+		O.engines = [engine for engine in engines if engine]
 
 	def layMortar(self):
 		if not self.options.searchCore:
@@ -128,13 +127,20 @@ class Built:
 			raise ValueError(f"ended is {name!r}; that cannot be switched off")
 
 
+class MallocInfo(ctypes.Structure):
+	"""What mallinfo2 of the C library returns."""
+
+	names = "arena ordblks smblks hblks hblkhd usmblks fsmblks uordblks fordblks keepcost"
+	_fields_ = [(name, ctypes.c_size_t) for name in names.split()]
+
+
+mallinfo = ctypes.CDLL(None).mallinfo2
+mallinfo.restype = MallocInfo
+
+
 def allocatedBytes():
-	"""What malloc has given and not got back, small Python objects (which are Python's own) apart. Exact while GLIBC_TUNABLES keeps nothing for each thread."""
+	"""What malloc has given and not got back; small Python objects, which are Python's own, are not in it."""
 	gc.collect()
-	fields = "arena ordblks smblks hblks hblkhd usmblks fsmblks uordblks fordblks keepcost".split()
-	counts = type("mallinfo2", (ctypes.Structure, ), {"_fields_": [(name, ctypes.c_size_t) for name in fields]})
-	mallinfo = ctypes.CDLL(None).mallinfo2
-	mallinfo.restype = counts
 	info = mallinfo()
 	return info.uordblks + info.hblkhd
 

@@ -32,7 +32,7 @@ recordFile = here / "budget.json"
 skipped = 77  # exit status
 
 minimal = Scene(bricks=6)
-cracked, dry = replace(minimal, joints="cracked"), replace(minimal, joints="dry", contact=True)
+cracked, dry = replace(minimal, joints="cracked"), Scene(bricks=3, steps=5, joints="dry", contact=True)
 lean = {"minimal": minimal, "cracked joints": cracked, "dry": dry}
 # each with the scene that never had it
 switchedOff = {
@@ -43,7 +43,8 @@ switchedOff = {
 }
 large = Scene()  # bytes: what a scene has only once counts less
 
-advice = """Find what was added to the hot path, and make it a choice at set-up (an engine, a functor, a variant of the law). Only if every scene is to pay for it, record anew:
+advice = """Find what was added to the hot path, and make it a choice at set-up (an engine, a functor, a variant of the law). Only if every scene is
+to pay for it, record anew:
     cmake --build {build} --target recordBudget
 and say why where the change is described."""
 
@@ -125,7 +126,8 @@ def main(words):
 	parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
 	tasks = {"instructions": checkInstructions, "bytes": checkBytes, "record": record}
 	parser.add_argument("task", choices=tasks)
-	for option, meaning in (("yade", "program"), ("switch", "libcallgrindSwitch.so"), ("compiler", "its name and version"), ("out", "folder for callgrind's files")):
+	meanings = {"yade": "program", "switch": "libcallgrindSwitch.so", "compiler": "its name and version", "out": "folder for callgrind's files"}
+	for option, meaning in meanings.items():
 		parser.add_argument(f"--{option}", required=True, help=meaning)
 	options = parser.parse_args(words)
 	if platform.machine() != "x86_64":

@@ -62,5 +62,6 @@ class TableTest(unittest.TestCase):
 class CallgrindTest(unittest.TestCase):
 
 	def test_costs_of_callees_are_not_counted_twice_and_names_are_given_once(self):
-		text = "desc: Trigger: Client Request: a,b=1\nob=(1) x\nfl=(1) y\nfn=(1) step()\n0 30\n* 5\ncob=(2) z\ncfn=(2) sum\ncalls=2 0\n0 12\n-1 1\n\nfn=(2)\n0 10\ntotals: 46\n"
+		step = "ob=(1) x\nfl=(1) y\nfn=(1) step()\n0 30\n* 5\ncob=(2) z\ncfn=(2) sum\ncalls=2 0\n0 12\n-1 1\n\n"
+		text = "desc: Trigger: Client Request: a,b=1\n" + step + "fn=(2)\n0 10\ntotals: 46\n"
 		self.assertEqual(counting.parse(text), ("a,b=1", {"step()": 36, "sum": 10}))
