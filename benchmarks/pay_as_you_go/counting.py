@@ -15,7 +15,7 @@ longest = 3600  # of one process [s]
 # the plain versions of what the C library has for several processors
 plain = "glibc.cpu.hwcaps=-AVX512F,-AVX512VL,-AVX2,-AVX,-FMA,-FMA4,-ERMS,-FSRM"
 # what malloc does inside hangs on all that was asked for before; that it is called still counts
-insideMalloc = ("_int_malloc", "_int_free", "_int_memalign", "malloc_consolidate", "unlink_chunk")
+insideMalloc = ("_int_malloc", "_int_free", "_int_memalign", "malloc_consolidate", "unlink_chunk", "alloc_perturb")
 
 
 class CountingFailed(Exception):

@@ -12,7 +12,7 @@ class Scene:
 	:param bricks: columns, and courses, of the wall
 	:param steps: that are counted
 	:param deformation: level of all bricks
-	:param joints: 'intact'; 'cracked': half the segments of every joint have failed; 'dry': none, the bricks press on each other
+	:param joints: 'intact'; 'cracked': half the segments of every joint have failed; 'dry': none, the bricks press and slide on each other, and stay where they are
 	:param contact: collider and search, always there when dry
 	:param searchCore: with contact, neighbours that meet at an edge are searched although all their joints hold: without Brick.beside
 	:param failure, friction, dashpots: attributes of the law

@@ -39,7 +39,6 @@ switchedOff = {
         **{name: (replace(minimal, **{name: True, "ended": name}), minimal) for name in ("failure", "ledger", "guard", "motion")},
         **{f"{name} in cracked joints": (replace(cracked, **{name: True, "ended": name}), cracked) for name in ("failure", "friction", "dashpots")},
         **{f"{name} in contacts": (replace(dry, **{name: True, "ended": name}), dry) for name in ("friction", "dashpots")},
-        "friction and dashpots where joints hold": (replace(minimal, friction=True, dashpots=True), minimal),
 }
 large = Scene()  # bytes: what a scene has only once counts less
 
