@@ -94,11 +94,11 @@ dry = replace(short, joints="dry")
 effects = (
         switched("deformation: uniform", minimal, "deformation", "uniform", replace(full, deformation="uniform")),
         switched("deformation: trilinear", minimal, "deformation", "trilinear", replace(full, deformation="rigid")),
-        switched("deformation: refined, 2 cells", minimal, "deformation", "refined"),
+        Effect("deformation: refined, 2 cells", Scene(deformation="refined"), minimal),
         switched("failure, checked in joints that hold", minimal, "failure"),
         switched("failure, checked in joints that have cracked", cracked, "failure", leftOut=replace(full, failure=False)),
         Effect("joints half of whose segments have failed", cracked, minimal),
-        switched("contact search around an intact wall", minimal, "contact", leftOut=replace(full, contact=False)),
+        Effect("contact search around an intact wall", Scene(contact=True), minimal, leftOut=replace(full, contact=False)),
         Effect("recontact searched for in the intact core (no lists of neighbours)", replace(short, searchCore=True), short),
         Effect("contact instead of joints: dry wall", dry, short),
         switched("friction in cracked joints", cracked, "friction", leftOut=replace(full, friction=False)),

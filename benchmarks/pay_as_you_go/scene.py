@@ -123,8 +123,6 @@ class Built:
 			setattr(self.law, name, False)
 		elif name in ("motion", "stepper", "onDemand"):
 			getattr(self, name).dead = True
-		elif name == "contact":
-			self.collider.dead = True
 		elif name:
 			raise ValueError(f"ended is {name!r}; that cannot be switched off")
 
