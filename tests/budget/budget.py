@@ -119,7 +119,7 @@ def record(options, _):
 def significant(functions):
 	"""Those that take a thousandth or more, the largest first."""
 	least = sum(functions.values()) / 1000
-	return {name: round(own, 2) for name, own in sorted(functions.items(), key=lambda item: -item[1]) if own > least}
+	return {name: round(own, 2) for name, own in sorted(functions.items(), key=lambda item: (-item[1], item[0])) if own > least}
 
 
 def main(words):
