@@ -255,7 +255,7 @@ Real Brick::changeLevel(const BrickMat& material, Real dt, Real duration)
 	else if (isDeformable() && progress > part())
 		progress -= part();
 	else {
-		dropped = elasticEnergy() + kineticEnergy();
+		dropped = kineticEnergy() - elasticEnergy(); // letting go, it stretches the springs at its faces by twice what it holds at rest
 		beginLevel();
 		if (innerPart(material)) progress = part();
 	}

@@ -53,7 +53,7 @@ public:
 	bool isChanging() const { return changing; }                     ///< one does, or joints have yet to take up what the contact lengths are now
 
 	/// A step of the change of level towards the attributes: the brick's compliance moves from the springs into the element, or back.
-	/// @param duration of the whole change [s]; NaN: some periods of the slowest mode, 0: at once   @return energy of the deformation that ends with it [J]
+	/// @param duration of the whole change [s]; NaN: some periods of the slowest mode, 0: at once   @return what the end of the deformation takes from all energy, where its loads are in equilibrium [J]
 	Real changeLevel(const BrickMat&, Real dt, Real duration);
 	void noteTakenUp() { changing = !isSettled(); } ///< joints have taken up the contact lengths
 

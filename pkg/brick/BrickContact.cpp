@@ -456,7 +456,8 @@ brick::LawTerms Law2_BrickGeom_BrickPhys_Mortar::termsOf(BrickPhys& phys) const
 				shape->counted = false; // dashpots bear on the time step
 			}
 	}
-	return brick::LawTerms { failure, friction, dashpots }.neededBy(phys.springs());
+	const brick::LawTerms asked { failure, friction, dashpots };
+	return phys.isJoint() && phys.joint.holds() ? asked : asked.neededBy(phys.springs()); // a joint that holds has none of what that leaves out
 }
 
 void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phys)

@@ -15,7 +15,7 @@ public:
 	/// Room for the modes of each body in this step.
 	std::vector<brick::ModeEnergy> modes;
 
-	/// What bricks that have become rigid had left when they did, to be booked with the next step [J].
+	/// What bricks took that have become rigid, to be booked with the next step [J].
 	Real dropped = 0;
 
 	/// Books a step.

@@ -166,7 +166,7 @@ public:
 		if (missing.empty()) return;
 		throw std::invalid_argument(
 		        "MortarJoints: bodies " + named(first) + " and " + named(second) + " are to be joined, but the InteractionLoop in O.engines has no " + missing
-		        + ", which the first step needs");
+		        + ", which the first step needs; set O.engines before MortarJoints()() (yade_brick.engines() has all that the scene needs)");
 	}
 
 private:

@@ -49,7 +49,7 @@ def brick(
 	if cells is not None and deformation != "refined":
 		raise ValueError(f"cells is {cells} and deformation is {deformation!r}; only bricks with deformation='refined' have cells")
 	solid = _cuboidProperties(_lengths(size)) if corners is None else Brick.solidProperties(_points(corners))
-	thickness = defaultContactShare * _shortestEdge(solid["corners"]) if contactThickness is None else contactThickness
+	thickness = defaultContactShare * shortestEdge(solid["corners"]) if contactThickness is None else contactThickness
 	body = Body()
 	body.shape = Brick(
 	        corners=solid["corners"], deformation=deformation, element=element, inner=inner, contactThickness=thickness, segments=segments,
@@ -139,7 +139,7 @@ def _unitQuaternion(orientation):
 	return orientation.normalized()
 
 
-def _shortestEdge(corners):
+def shortestEdge(corners):
 	edges = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
 	return min((corners[i] - corners[j]).norm() for i, j in edges)
 

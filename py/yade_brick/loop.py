@@ -312,8 +312,8 @@ class _Scene:
 	def shortestEdge(self):
 		"""Of all bricks [m]."""
 		from yade import Brick, O
-		from .build import _shortestEdge
-		return min(_shortestEdge(body.shape.corners) for body in O.bodies if isinstance(body.shape, Brick))
+		from .build import shortestEdge
+		return min(shortestEdge(body.shape.corners) for body in O.bodies if isinstance(body.shape, Brick))
 
 	def pairs(self):
 		"""BrickPhys of all joints and contacts."""
