@@ -216,9 +216,9 @@ const LawTerms leaner[] { { false, true, true }, { true, false, true }, { true, 
 /// That nothing is booked for what the law leaves out.
 void expectLeftOut(const Books& b, const LawTerms& t)
 {
-	if (!t.failure) EXPECT_EQ(b.fracture, 0);
-	if (!t.friction) EXPECT_EQ(b.friction, 0);
-	if (!t.dashpots) EXPECT_EQ(b.dashpot, 0);
+	if (!t.failure) { EXPECT_EQ(b.fracture, 0); }
+	if (!t.friction) { EXPECT_EQ(b.friction, 0); }
+	if (!t.dashpots) { EXPECT_EQ(b.dashpot, 0); }
 }
 
 /// What is missing after a path in some steps, in twice and in four times as many.

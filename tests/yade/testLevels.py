@@ -366,19 +366,3 @@ class OnDemand(unittest.TestCase):
 			for _ in range(200): O.step()
 			prints.append([(tuple(b.state.pos), tuple(b.state.vel)) for b in bricks] + [O.dt])
 		self.assertEqual(*prints)
-
-
-class Saved(unittest.TestCase):
-
-	def test_saved_in_the_midst_of_changes(self):
-		collapse.build(onDemand=True)
-		while not any(isinstance(b.shape, Brick) and b.shape.share < 1 for b in O.bodies): O.step()
-		for _ in range(40): O.step()
-		self.assertTrue(any(isinstance(b.shape, Brick) and b.shape.share < 1 for b in O.bodies))
-		O.saveTmp(quiet=True)
-		ends = []
-		for _ in range(2):
-			for _ in range(1500): O.step()
-			ends.append(collapse.fingerprint())
-			O.loadTmp(quiet=True)
-		self.assertEqual(*ends)

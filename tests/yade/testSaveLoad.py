@@ -45,6 +45,14 @@ class Continued(unittest.TestCase):
 		collapse.build()
 		self.check(['xml', 'yade'], 300)
 
+	def test_while_levels_change(self):
+		collapse.build(onDemand=True)
+		changing = lambda: [b.id for b in O.bodies if isinstance(b.shape, collapse.Brick) and b.shape.share < 1]
+		while not changing(): O.step()
+		for _ in range(40): O.step()
+		self.assertTrue(changing())
+		self.check(FORMATS, 1500)
+
 	def test_while_joints_crack(self):
 		collapse.build()
 		O.run(400, True)
