@@ -67,7 +67,6 @@ def startScene(setting, young=9.8e6, poisson=0.25, breakable=False):
 def addEngines(setting):
 	"""The loop of the bodies that are there."""
 	O.engines = loop = yade_brick.engines(gravity=(0, 0, -9.8), safety=setting.safety)
-	loop.newton.damping = 0.2
 	return loop
 
 
@@ -99,7 +98,7 @@ def cubeCase(row):
 		plate = O.bodies.append(box((0, 0, 1.5 * side), (0.5 * side,) * 3, material=smooth))
 		O.bodies[plate].dynamic = True
 		loop = addEngines(row.setting)
-		loop.newton.gravity, loop.dynamics.damping = (0, 0, 0), 0.2
+		loop.newton.gravity, loop.newton.damping, loop.dynamics.damping = (0, 0, 0), 0.2, 0.2
 		yade_brick.MortarJoints(ids=[ground, brickId])()
 		O.forces.setPermF(plate, (0, 0, -2.0e4 * side**3 * 10))
 		O.step()
