@@ -412,7 +412,7 @@ actions = {
         'reset': lambda: O.resetTime()
 }
 _stepping = ('step', 'run', 'bill', 'progress', 'settle')
-given = False  # whether something was set since the last step: what is read then is what was given
+given = False  # whether something was set since the last step that was done: what is read then is what was given
 
 
 def tryScene(example):
@@ -420,8 +420,9 @@ def tryScene(example):
 	global given
 	failed = given = False
 	for name, *arguments in example['actions']:
-		given = name in ('set', 'force', 'saved', 'level') or (given and name not in _stepping)
+		given = given or name in ('set', 'force', 'saved', 'level')
 		outcome = attempt(actions[name], *arguments)
+		if name in _stepping and not refused(outcome): given = False
 		failed = failed or refused(outcome)
 		# what was set since the last step is what was given
 		if name in _stepping and not failed: failed = not isFinite()
