@@ -129,7 +129,7 @@ def tryMaterial(example):
 # Scenes
 
 _makers = {
-        'ForceResetter': ForceResetter, 'BrickTimeStepper': BrickTimeStepper, 'BrickDynamics': BrickDynamics,
+        'ForceResetter': ForceResetter, 'BrickTimeStepper': BrickTimeStepper, 'BrickDynamics': BrickDynamics, 'DeformationOnDemand': DeformationOnDemand,
         'NewtonIntegrator': lambda: NewtonIntegrator(gravity=(0, 0, -9.8), damping=0),
         'GroundMotion': lambda: GroundMotion(dt=.01, acceleration=[Vector3(0, 0, 0), Vector3(3, 1, 0), Vector3(0, 0, 0)])
 }
@@ -153,6 +153,45 @@ def setUsualEngines(names=('ForceResetter', 'InsertionSortCollider', 'Interactio
 	O.dt = 1e-5
 
 
+def addOnDemand(attributes):
+	"""Puts the engine where its documentation says."""
+	names = [type(e).__name__ for e in O.engines]
+	place = names.index('BrickDynamics') if 'BrickDynamics' in names else len(names)
+	O.engines = O.engines[:place] + [DeformationOnDemand(**attributes)] + O.engines[place:]
+
+
+def chooseTerms(choices):
+	law = Loop(O.engines).law
+	for name, value in choices.items():
+		if law is not None: setattr(law, name, value)
+
+
+def loopArguments(given):
+	"""Arguments of yade_brick.engines, in which objects are written as their names or attributes."""
+	made = dict(given)
+	if isinstance(given.get('functors'), list):
+		made['functors'] = [functorKinds[name]() if isinstance(name, str) and name in functorKinds else name for name in given['functors']]
+	if isinstance(given.get('motion'), dict) and given['motion']:
+		dt, acceleration = given['motion']['dt'], vectors(given['motion']['acceleration'])
+		made['motion'] = GroundMotion(dt=dt, acceleration=acceleration) if given['motion']['engine'] else Motion(dt, acceleration, 'a motion')
+	return made
+
+
+def useLoop(given):
+	O.engines = yade_brick.engines(**loopArguments(given))
+	effects()
+
+
+functorKinds = {
+        kind.__name__: kind
+        for kind in (
+                Bo1_Brick_Aabb, Bo1_Wall_Aabb, Bo1_Box_Aabb, Bo1_Sphere_Aabb, Ig2_Brick_Brick_BrickGeom, Ig2_Wall_Brick_BrickGeom,
+                Ig2_Box_Brick_BrickGeom, Ip2_BrickMat_BrickMat_BrickPhys, Ip2_FrictMat_BrickMat_BrickPhys, Ip2_FrictMat_FrictMat_FrictPhys,
+                Law2_BrickGeom_BrickPhys_Mortar, Law2_ScGeom_FrictPhys_CundallStrack
+        )
+}
+
+
 def engine(name):
 	return next((e for e in O.engines if type(e).__name__ == name), None)
 
@@ -171,6 +210,7 @@ def checkScene():
 			mustBeFinite('state.' + name, [getattr(s, name)[k] for k in range(4 if name == 'ori' else 3)])
 		for name in ('amplitudes', 'rates', 'displacement', 'displacementRate'):
 			mustBeFinite('Brick.' + name, [list(v) if isinstance(v, Vector3) else v for v in getattr(b.shape, name)])
+		if not 0 < b.shape.share <= 1: raise Finding('share is %g' % b.shape.share)
 		if b.shape.amplitudes:
 			mustBeFinite('Brick.stress()', list(b.shape.stress()))
 			mustBeFinite('energies of a brick', [b.shape.elasticEnergy(), b.shape.kineticEnergy()])
@@ -222,6 +262,9 @@ def makeScene(example):
 		O.bodies.append(body)
 		before = size
 	setUsualEngines(example['engines'], example['without'], example['verletDist'])
+	if 'loop' in example: attempt(useLoop, example['loop'])
+	if 'terms' in example: attempt(chooseTerms, example['terms'])
+	if 'onDemand' in example: attempt(addOnDemand, example['onDemand'])
 
 
 def materialNamed(name, usual):
@@ -261,6 +304,20 @@ def assign(target, place, name, value):
 
 def steps(count):
 	for _ in range(count):
+		O.step()
+
+
+def changeLevel(place, attributes):
+	"""Of one brick, or of all."""
+	for b in bricks() if place is None else [pick(bricks(), place)]:
+		if b is not None: b.shape.updateAttrs(attributes)
+
+
+def settle():
+	"""Steps until levels of deformation have changed, as far as they do in few steps."""
+	steps(2)
+	for _ in range(200):
+		if all(b.shape.share == 1 for b in bricks()): break
 		O.step()
 
 
@@ -350,11 +407,12 @@ actions = {
         'saved': savedAndLoaded, 'erase': erase, 'unjoin': unjoin, 'again': addAgain, 'motion': addMotion,
         'force': addForce, 'assembled': assembled, 'frequencies': frequencies, 'rest': rest, 'record': record, 'picture': drawn, 'bill': withBill,
         'limit': lambda: yade_brick.bill.stepLimit(), 'stresses': stresses,
+        'level': changeLevel, 'settle': settle, 'terms': chooseTerms, 'loop': useLoop, 'onDemand': addOnDemand, 'effects': lambda: str(effects()),
         'clear': lambda: O.interactions.clear(), 'solve': solve, 'progress': lambda: runWithProgress(duration=3 * O.dt, stream=open(os.devnull, 'w')),
         'reset': lambda: O.resetTime()
 }
-_stepping = ('step', 'run', 'bill', 'progress')
-given = False  # whether something was set since the last step: what is read then is what was given
+_stepping = ('step', 'run', 'bill', 'progress', 'settle')
+given = False  # whether something was set since the last step that was done: what is read then is what was given
 
 
 def tryScene(example):
@@ -362,8 +420,9 @@ def tryScene(example):
 	global given
 	failed = given = False
 	for name, *arguments in example['actions']:
-		given = name in ('set', 'force', 'saved') or (given and name not in _stepping)
+		given = given or name in ('set', 'force', 'saved', 'level')
 		outcome = attempt(actions[name], *arguments)
+		if name in _stepping and not refused(outcome): given = False
 		failed = failed or refused(outcome)
 		# what was set since the last step is what was given
 		if name in _stepping and not failed: failed = not isFinite()
@@ -510,6 +569,7 @@ def tryCall(example):
 		given['acceleration'] = vectors(given.get('acceleration'))
 		made = attempt(GroundMotion, **{key: value for key, value in given.items() if value is not None})
 		return 'refused' if refused(made) else 'finite'
+	if name == 'DeformationOnDemand': return 'refused' if refused(attempt(DeformationOnDemand, **given)) else 'finite'
 	if name == 'judgedRow':
 		made = attempt(report.judgedRow, **given)
 		return 'refused' if refused(made) else 'finite'
@@ -518,6 +578,7 @@ def tryCall(example):
 		return 'refused' if refused(made) else 'finite'
 	usualScene()
 	call = {
+	        'engines': lambda: (useLoop(given), steps(3), mustBeFinite('places', [b.state.pos for b in bricks()])), 'effects': lambda: str(effects(**given)),
 	        'frequencies': lambda: mustBeFinite('frequencies', assembled().frequencies(**given)),
 	        'solve': lambda: mustBeFinite('solve', assembled().solve(**given)), 'place': lambda: assembled().place(**given),
 	        'runWithProgress': lambda: runWithProgress(**limited(given), stream=open(os.devnull, 'w')), 'isAtRest': lambda: isAtRest(**given),
@@ -555,6 +616,7 @@ def tried(example):
 
 if __name__ == '__main__':
 	np.seterr(all='ignore')
+	os.chdir(folder)  # where runs that are stopped leave their scenes
 	with open(int(sys.argv[1])) as examples, open(int(sys.argv[2]), 'w') as answers:
 		for line in examples:
 			answers.write(json.dumps(tried(json.loads(line))) + '\n')

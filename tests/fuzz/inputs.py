@@ -146,9 +146,10 @@ _bricks = st.fixed_dictionaries(
                 "vel": _velocities, "angVel": _velocities, "material": st.sampled_from((0, 0, 0, 1))
         }
 )
-engineNames = ("ForceResetter", "InsertionSortCollider", "InteractionLoop", "BrickTimeStepper", "BrickDynamics", "GroundMotion", "NewtonIntegrator")
+_usualEngines = ("ForceResetter", "InsertionSortCollider", "InteractionLoop", "BrickTimeStepper", "BrickDynamics", "GroundMotion", "NewtonIntegrator")
+engineNames = _usualEngines[:4] + ("DeformationOnDemand", ) + _usualEngines[4:]
 _engineLists = st.one_of(
-        st.just(list(engineNames)), st.lists(st.sampled_from(engineNames), max_size=8), st.permutations(engineNames),
+        st.just(list(_usualEngines)), st.lists(st.sampled_from(engineNames), max_size=8), st.permutations(engineNames),
         st.sets(st.sampled_from(engineNames), max_size=2).map(lambda gone: [name for name in engineNames if name not in gone])
 )
 _functors = st.one_of(st.just([]), st.lists(st.sampled_from(("Bo1_Brick_Aabb", "Bo1_Wall_Aabb", "Bo1_Box_Aabb", "Ig2_Brick_Brick_BrickGeom",
@@ -157,6 +158,39 @@ _functors = st.one_of(st.just([]), st.lists(st.sampled_from(("Bo1_Brick_Aabb", "
 _supports = st.one_of(st.none(), st.just({"shape": "wall"}), st.fixed_dictionaries({"shape": st.sampled_from(("wall", "box"))}, optional={
         "material": st.sampled_from(("brick", "frict", "elast", "none")), "axis": st.integers(0, 2), "sense": st.integers(-2, 2),
         "extents": st.lists(oddNumbers, min_size=3, max_size=3)}))
+
+_booleans = mostly(st.booleans(), anything)
+_terms = options(failure=_booleans, friction=_booleans, dashpots=_booleans)
+_levelTimes = st.sampled_from((0.0, 1e-5, 1e-4, 1e-3))
+_onDemand = options(
+        level=mostly(st.sampled_from(("uniform", "trilinear")), st.one_of(levels, anything)), utilisation=mostly(logarithmic(-8, 0), oddNumbers),
+        stress=mostly(st.one_of(st.just(nan), logarithmic(-1, 6)), oddNumbers), release=mostly(st.floats(0, 1), oddNumbers),
+        patience=mostly(st.sampled_from((0.0, 1e-5, 1e-4)), oddNumbers), interval=mostly(st.integers(1, 5), oddCounts),
+        ids=mostly(st.just([]), st.one_of(st.lists(st.integers(0, 4), max_size=3), anything))
+)
+#: Levels that a brick can change to, and now and then one that it cannot.
+_newLevels = options(
+        deformation=mostly(levels, anything), contactThickness=mostly(logarithmic(-4, -1.3), oddNumbers), element=mostly(elements, anything),
+        inner=mostly(inners, anything), cells=mostly(st.sampled_from((1, 2, 3)), oddCounts),
+        segments=mostly(st.sampled_from((2, 4, 6)), st.sampled_from((0, 3)))
+)
+_motions = st.fixed_dictionaries({"dt": st.one_of(st.just(0.01), oddNumbers), "acceleration": st.lists(st.one_of(_velocities, oddVectors), max_size=4)})
+_functorNames = (
+        "Bo1_Brick_Aabb", "Bo1_Wall_Aabb", "Bo1_Box_Aabb", "Bo1_Sphere_Aabb", "Ig2_Brick_Brick_BrickGeom", "Ig2_Wall_Brick_BrickGeom",
+        "Ig2_Box_Brick_BrickGeom", "Ip2_BrickMat_BrickMat_BrickPhys", "Ip2_FrictMat_BrickMat_BrickPhys", "Ip2_FrictMat_FrictMat_FrictPhys",
+        "Law2_BrickGeom_BrickPhys_Mortar", "Law2_ScGeom_FrictPhys_CundallStrack"
+)
+#: Arguments of yade_brick.engines.
+_loops = options(
+        gravity=mostly(st.one_of(st.none(), st.just([0.0, 0.0, -9.81]), _velocities), st.one_of(oddVectors, anything)),
+        damping=mostly(st.floats(0, 0.9), anything), dt=mostly(st.one_of(st.none(), st.sampled_from((1e-6, 1e-5))), anything),
+        safety=mostly(st.floats(0.1, 1), anything),
+        motion=mostly(st.one_of(st.none(), st.builds(lambda motion, engine: {**motion, "engine": engine}, _motions, st.booleans())), anything),
+        failure=_booleans, friction=_booleans, dashpots=_booleans, contact=_booleans, onDemand=mostly(st.one_of(st.booleans(), _onDemand), anything),
+        ledger=_booleans, guard=_booleans, stopFile=mostly(st.sampled_from(("", "stopped.yade.gz")), anything),
+        verletDist=mostly(st.one_of(st.none(), logarithmic(-4, -1)), anything),
+        functors=mostly(st.just([]), st.one_of(st.lists(st.sampled_from(_functorNames), max_size=4), anything))
+)
 
 _place = st.integers(0, 4)  # of a brick among those that there are
 _stateAttributes = ("pos", "vel", "angVel", "angMom", "inertia", "refPos", "mass", "densityScaling", "blockedDOFs", "ori")
@@ -174,6 +208,9 @@ _sets = st.one_of(
         st.tuples(st.just("body"), _place, st.just("material"), st.sampled_from(("brick", "frict", "elast", "none"))),
         st.tuples(st.just("body"), _place, st.sampled_from(("dynamic", "bounded", "aspherical")), st.booleans()),
         st.tuples(st.just("engine"), st.just("BrickDynamics"), st.just("damping"), oddNumbers),
+        st.tuples(st.just("engine"), st.just("BrickDynamics"), st.just("levelTime"), mostly(_levelTimes, oddNumbers)),
+        _onDemand.filter(len).flatmap(lambda given: st.sampled_from(sorted(given))
+        .map(lambda name: ("engine", "DeformationOnDemand", name, given[name]))),
         st.tuples(st.just("engine"), st.just("BrickTimeStepper"), st.sampled_from(("safety", "active")), st.one_of(oddNumbers, st.booleans())),
         st.tuples(st.just("engine"), st.just("GroundMotion"), st.sampled_from(("dt", "startTime")), oddNumbers),
         st.tuples(st.just("engine"), st.just("GroundMotion"), st.just("ids"), st.lists(st.integers(-1, 7), max_size=2)),
@@ -191,8 +228,9 @@ _actions = st.one_of(
         st.tuples(st.just("set"), _sets), st.tuples(st.just("set"), _sets),
         st.tuples(st.just("saved"), st.sampled_from((".xml", ".yade", ".xml.bz2"))), st.tuples(st.just("erase"), _place),
         st.tuples(st.just("unjoin"), _place), st.tuples(st.just("again"), _place),
-        st.tuples(st.just("motion"), st.fixed_dictionaries({"dt": st.one_of(st.just(0.01), oddNumbers),
-        "acceleration": st.lists(st.one_of(_velocities, oddVectors), max_size=4)})),
+        st.tuples(st.just("motion"), _motions), st.tuples(st.just("level"), st.one_of(st.none(), _place), _newLevels),
+        _levelTimes.map(lambda time: ("set", ("engine", "BrickDynamics", "levelTime", time))), st.tuples(st.sampled_from(("settle", "effects"))),
+        st.tuples(st.just("terms"), _terms), st.tuples(st.just("loop"), _loops), st.tuples(st.just("onDemand"), _onDemand),
         st.tuples(st.just("force"), _place, oddVectors), st.tuples(st.sampled_from(("assembled", "frequencies", "rest", "record", "picture", "bill",
         "limit", "stresses", "clear", "solve", "progress", "reset"))),
 )
@@ -203,13 +241,15 @@ def _usualStart(lists):
 	return st.booleans().flatmap(lambda usual: lists.map(lambda rest: [["joints", {}], ["step", 2]] + rest) if usual else lists)
 
 
-scenes = st.fixed_dictionaries({
-        "kind": st.just("scene"), "materials": st.lists(st.tuples(_usualMaterials, _usualMortars), min_size=2, max_size=2), "support": _supports,
-        "bricks": st.lists(_bricks, min_size=1, max_size=4),
-        "engines": mostly(st.just(list(engineNames)), _engineLists, 3), "without": mostly(st.just([]), _functors, 2),
-        "verletDist": st.sampled_from((0.0, 0.01, -0.05, 0.2)),
-        "actions": _usualStart(st.lists(_actions, min_size=1, max_size=8))
-})
+scenes = st.fixed_dictionaries(
+        {
+                "kind": st.just("scene"), "materials": st.lists(st.tuples(_usualMaterials, _usualMortars), min_size=2, max_size=2), "support": _supports,
+                "bricks": st.lists(_bricks, min_size=1, max_size=4),
+                "engines": mostly(st.just(list(_usualEngines)), _engineLists, 3), "without": mostly(st.just([]), _functors, 2),
+                "verletDist": st.sampled_from((0.0, 0.01, -0.05, 0.2)),
+                "actions": _usualStart(st.lists(_actions, min_size=1, max_size=8))
+        }, optional={"loop": _loops, "terms": _terms, "onDemand": _onDemand}
+)
 
 # Files
 
@@ -288,6 +328,7 @@ _calls = st.one_of(
                                                   bricks=st.one_of(st.lists(corners().map(lambda c: [c, None]), min_size=1, max_size=2), anything))),
         st.tuples(st.just("historyPlot"), options(time=st.one_of(st.just([0.0, 1.0]), anything), histories=st.one_of(st.just({"A": [[0, 0, 0], [1, 1, 1]]}),
         st.fixed_dictionaries({"A": st.lists(oddVectors, min_size=2, max_size=2)}), anything), timeRange=st.one_of(st.none(), anything))),
+        st.tuples(st.just("engines"), _loops), st.tuples(st.just("effects"), options(engines=anything)), st.tuples(st.just("DeformationOnDemand"), _onDemand),
         st.tuples(st.just("judgedRow"), st.fixed_dictionaries({"id": anything, "got": anything},
         optional={"expected": anything, "tolerance": anything, "limit": anything})),
         st.tuples(st.just("frequencies"), st.fixed_dictionaries({"count": anything})),

@@ -22,6 +22,8 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
+using Springs = std::array<FaceSprings, faceCount>;
+
 constexpr Real roundOff = 1e-12; ///< relative; eigenvalues of matrices of 48 to 192 rows
 
 /// A brick with its mass and its degrees of freedom, mass-scaled: translation, rotation, modes.
@@ -124,7 +126,7 @@ bool schemeIsStable(const Matrix& K, const Vector& W, Real dt)
 /// Bound for a brick on springs of kn, ks between it and its likes, on some of its faces.
 Real boundOf(const Brick& b, const std::vector<int>& faces, Real twice = 2)
 {
-	std::array<FaceSprings, faceCount> springs;
+	Springs springs;
 	for (int f : faces) {
 		const Real        l = b.body.contactLength[f];
 		const SpotSprings s = pairs::springs().at(l, l);
@@ -185,13 +187,110 @@ struct Lattice {
 	}
 };
 
+/// Displacement of a point of a face by the unit of each mass-scaled degree of freedom.
+Matrix pointMotion(const Hexahedron& solid, int face, Real xi, Real eta, Real mass, const Vector3r& inertia, const InnerPart* inner)
+{
+	const int      modes = inner ? inner->modes.count() : 0;
+	const Vector3r x     = solid.faces[face].at(xi, eta);
+	Matrix         J     = Matrix::Zero(3, 6 + modes);
+	for (int k = 0; k < 3; ++k) {
+		J.col(k)     = Vector3r::Unit(k) / std::sqrt(mass);
+		J.col(3 + k) = Vector3r::Unit(k).cross(x) / std::sqrt(inertia[k]);
+	}
+	if (!inner) return J;
+	const SurfaceSpot spot = surfaceGrid(inner->cells).locate(face, xi, eta);
+	for (int a = 0; a < 4; ++a)
+		J.rightCols(modes) += spot.weights[a] * inner->modes.shapes.middleRows(3 * spot.nodes[a], 3);
+	return J;
+}
+
+/// Stiffness of held springs in the mass-scaled degrees of freedom of a brick. 3 x 3 Gauss points a cell: exact.
+Matrix onSprings(const Hexahedron& solid, const Springs& springs, Real mass, const Vector3r& inertia, const InnerPart* inner)
+{
+	const Real points[] = { -std::sqrt(.6), 0, std::sqrt(.6) }, weights[] = { 5. / 9, 8. / 9, 5. / 9 };
+	const int  n = inner ? inner->cells : 1, each = 9 * n * n, size = 6 + (inner ? inner->modes.count() : 0);
+	Matrix     roots = Matrix::Zero(size, 3 * faceCount * each); // K = roots roots^T
+	const auto at    = [&](int place) { return (2 * (place / 3) + 1 + points[place % 3]) / n - 1; };
+	for (int f = 0; f < faceCount; ++f) {
+		const Face&    face = solid.faces[f];
+		const Matrix3r root = std::sqrt(springs[f].shear) * Matrix3r::Identity()
+		        + (std::sqrt(springs[f].normal) - std::sqrt(springs[f].shear)) * face.normal * face.normal.transpose();
+		for (int i = 0; i < 3 * n && springs[f].normal > 0; ++i)
+			for (int j = 0; j < 3 * n; ++j) {
+				const Real xi = at(i), eta = at(j);
+				const Real area = weights[i % 3] * weights[j % 3] / (n * n) * (face.e1 + eta * face.e12).cross(face.e2 + xi * face.e12).norm();
+				roots.middleCols(3 * (f * each + 3 * n * i + j), 3)
+				        = std::sqrt(area) * pointMotion(solid, f, xi, eta, mass, inertia, inner).transpose() * root;
+			}
+	}
+	return roots * roots.transpose();
+}
+
+/// Dashpots as springs, in the place of stiffness.
+Springs dashpotsOf(Springs springs)
+{
+	for (FaceSprings& f : springs)
+		f.normal *= f.dashpotTime, f.shear *= f.dashpotTime;
+	return springs;
+}
+
+/// Of dashpots to springs, on faces that have springs [s].
+Real largestRatio(const Springs& springs)
+{
+	Real longest = 0;
+	for (const FaceSprings& f : springs)
+		if (f.normal > 0) longest = std::max(longest, f.dashpotTime);
+	return longest;
+}
+
+/// A step of the product's scheme as a matrix: amplitudes and rates (times dt) under springs K and dashpots C that lag by half a step, own stiffness W.
+struct Scheme {
+	Matrix K, C;
+	Vector W;
+	Real   radius(Real dt) const
+	{
+		const int    n = int(W.size());
+		const Matrix one = Matrix::Identity(n, n), light = (1 + dt * dt / 4 * W.array()).inverse().matrix().asDiagonal();
+		const Matrix byPlace = -light * dt * dt * (K + Matrix(W.asDiagonal())), byRate = one - light * dt * C;
+		Matrix       step(2 * n, 2 * n);
+		step << one + byPlace, byRate, byPlace, byRate;
+		return step.eigenvalues().cwiseAbs().maxCoeff();
+	}
+	/// Size of the motion after so many steps of a start of 1 in every degree of freedom, as the product moves modes.
+	Real after(int steps, Real dt) const
+	{
+		Vector y = Vector::Ones(W.size()), rate = Vector::Zero(W.size());
+		for (int i = 0; i < steps && y.norm() < 1e9; ++i) {
+			const Vector load = -K * y - C * rate;
+			for (int k = 0; k < W.size(); ++k) {
+				const ModeState next = advanced({ y[k], rate[k] }, load[k], W[k], 0, 0, dt);
+				y[k] = next.amplitude, rate[k] = next.rate;
+			}
+		}
+		return y.norm();
+	}
+};
+
+/// Springs and dashpots of any size, some faces bare; at least one is not.
+Springs randomSprings(pairs::Random& random)
+{
+	Springs springs;
+	for (FaceSprings& f : springs) {
+		f.dashpotTime = random.between(0, 1) < .3 ? 0 : std::pow(10, random.between(-6, -2));
+		if (&f != &springs[0] && random.between(0, 1) < .3) continue;
+		f.normal = std::pow(10, random.between(7, 10));
+		f.shear  = f.normal * random.between(.3, 1);
+	}
+	return springs;
+}
+
 /// A brick on held springs, refined: what the bound is to be compared with is integrated and solved here on its own.
 struct Standing {
 	Hexahedron                         solid;
 	Real                               mass;
 	Vector3r                           inertia;
 	InnerPart                          inner;
-	std::array<FaceSprings, faceCount> springs;
+	Springs                            springs;
 
 	Standing(const Nodes& corners, int n, Inner layout, const std::vector<int>& faces)
 	        : solid(corners)
@@ -214,43 +313,16 @@ struct Standing {
 	}
 	int size() const { return 6 + inner.modes.count(); }
 
-	/// Displacement of a point of a face by the unit of each mass-scaled degree of freedom.
-	Matrix pointMotion(int face, Real xi, Real eta) const
-	{
-		const SurfaceSpot spot = surfaceGrid(inner.cells).locate(face, xi, eta);
-		const Vector3r    x    = solid.faces[face].at(xi, eta);
-		Matrix            J    = Matrix::Zero(3, size());
-		for (int k = 0; k < 3; ++k) {
-			J.col(k)     = Vector3r::Unit(k) / std::sqrt(mass);
-			J.col(3 + k) = Vector3r::Unit(k).cross(x) / std::sqrt(inertia[k]);
-		}
-		for (int a = 0; a < 4; ++a)
-			J.rightCols(inner.modes.count()) += spot.weights[a] * inner.modes.shapes.middleRows(3 * spot.nodes[a], 3);
-		return J;
-	}
-	/// 3 x 3 Gauss points a cell: exact.
-	Matrix stiffness() const
-	{
-		const Real points[] = { -std::sqrt(.6), 0, std::sqrt(.6) }, weights[] = { 5. / 9, 8. / 9, 5. / 9 };
-		const int  n = inner.cells, each = 9 * n * n;
-		Matrix     roots = Matrix::Zero(size(), 3 * faceCount * each); // K = roots roots^T
-		const auto at    = [&](int place) { return (2 * (place / 3) + 1 + points[place % 3]) / n - 1; };
-		for (int f = 0; f < faceCount; ++f) {
-			const Face&    face = solid.faces[f];
-			const Matrix3r root = std::sqrt(springs[f].shear) * Matrix3r::Identity()
-			        + (std::sqrt(springs[f].normal) - std::sqrt(springs[f].shear)) * face.normal * face.normal.transpose();
-			for (int i = 0; i < 3 * n && springs[f].normal > 0; ++i)
-				for (int j = 0; j < 3 * n; ++j) {
-					const Real xi = at(i), eta = at(j);
-					const Real area
-					        = weights[i % 3] * weights[j % 3] / (n * n) * (face.e1 + eta * face.e12).cross(face.e2 + xi * face.e12).norm();
-					roots.middleCols(3 * (f * each + 3 * n * i + j), 3) = std::sqrt(area) * pointMotion(f, xi, eta).transpose() * root;
-				}
-		}
-		return roots * roots.transpose();
-	}
+	Matrix        stiffness() const { return onSprings(solid, springs, mass, inertia, &inner); }
 	FastestMotion fastest() const { return fastestMotion(solid, springs, mass, inertia, &inner); }
 	Real          overTruth() const { return fastest().omegaSquared / largest(stiffness()); }
+	Vector        ownStiffness() const
+	{
+		Vector out = Vector::Zero(size());
+		for (int m = 6; m < size(); ++m)
+			out[m] = inner.modes.omegaSquared[m - 6];
+		return out;
+	}
 };
 
 /// Trapezoids on two pairs of faces, leaning over, in its principal frame.
@@ -266,6 +338,30 @@ Nodes voussoir()
 		x = principalFrame(solid.inertia).orientation.conjugate() * (x - solid.centroid);
 	return corners;
 }
+
+/// A brick of any level, layout and shape on random springs and dashpots.
+struct Damped {
+	Brick   brick;
+	Springs springs;
+
+	Damped(int trial, pairs::Random& random)
+	        : brick(shapeOf(trial / 3), .005, levelOf(trial), trial % 2 ? Inner::Inset : Inner::FullSize)
+	        , springs(randomSprings(random))
+	{
+	}
+	static Deformation levelOf(int trial) { return trial % 3 == 0 ? Deformation::Rigid : trial % 3 == 1 ? Deformation::Uniform : Deformation::Trilinear; }
+	static Nodes       shapeOf(int trial)
+	{
+		return trial % 3 == 0 ? voussoir() : cuboidCorners(trial % 3 == 1 ? Vector3r(.25, .12, .06) : Vector3r(Vector3r::Constant(edge)));
+	}
+	const Hexahedron& solid() const { return brick.body.solid; }
+	LargestStep       step() const { return largestStep(solid(), springs, brick.mass, brick.inertia, brick.inner.get()); }
+	FastestMotion     fastest() const { return fastestMotion(solid(), springs, brick.mass, brick.inertia, brick.inner.get()); }
+	Matrix            stiffness() const { return onSprings(solid(), springs, brick.mass, brick.inertia, brick.inner.get()); }
+	Matrix            damping() const { return onSprings(solid(), dashpotsOf(springs), brick.mass, brick.inertia, brick.inner.get()); }
+	Scheme            scheme() const { return { stiffness(), damping(), brick.ownStiffness() }; }
+	Real              stepOfLargestRatio() const { return stableStep(fastest().omegaSquared, largestRatio(springs)); }
+};
 
 const Nodes flat = cuboidCorners({ .25, .12, .06 }), plainCube = cuboidCorners(Vector3r::Constant(edge));
 
@@ -448,8 +544,8 @@ TEST(StableStepTest, fastest_motion_names_the_face_with_the_stiffest_springs)
 {
 	for (const auto level : { Deformation::Rigid, Deformation::Uniform, Deformation::Trilinear })
 		for (int stiff = 0; stiff < faceCount; ++stiff) {
-			const Brick                        b = Brick::cube(.001, level);
-			std::array<FaceSprings, faceCount> springs;
+			const Brick b = Brick::cube(.001, level);
+			Springs     springs;
 			springs.fill({ 1e6, 1e5 });
 			springs[stiff] = { 1e9, 1e8 };
 			EXPECT_EQ(fastestMotion(b.body.solid, springs, b.mass, b.inertia, b.inner.get()).face, stiff);
@@ -557,22 +653,141 @@ TEST(StableStepTest, refined_brick_moves_stably_below_its_limit_and_not_above)
 {
 	for (const Nodes& corners : { flat, voussoir() }) {
 		const Standing brick(corners, 2, Inner::Inset, allFaces);
-		const Matrix   K     = brick.stiffness();
+		const Scheme   scheme { brick.stiffness(), Matrix::Zero(brick.size(), brick.size()), brick.ownStiffness() };
 		const Real     limit = step(brick.fastest().omegaSquared);
-		for (Real factor : { .99, 1.01 }) {
-			const Real dt = factor * limit;
-			Vector     y = Vector::Constant(brick.size(), 1), rate = Vector::Zero(brick.size());
-			for (int i = 0; i < 3000 && y.norm() < 1e9; ++i) {
-				const Vector load = -K * y;
-				for (int k = 0; k < brick.size(); ++k) {
-					const Real      own  = k < 6 ? 0 : brick.inner.modes.omegaSquared[k - 6];
-					const ModeState next = advanced({ y[k], rate[k] }, load[k], own, 0, 0, dt);
-					y[k] = next.amplitude, rate[k] = next.rate;
-				}
-			}
-			if (factor < 1) EXPECT_LT(y.norm(), 1e3); // of 9 at the start; the swing near the border is 1 / sqrt(1 - 0.99^2) = 7 times larger
-			else
-				EXPECT_GE(y.norm(), 1e9);
+		EXPECT_LT(scheme.after(3000, .99 * limit), 1e3); // of 9 at the start; the swing near the border is 1 / sqrt(1 - 0.99^2) = 7 times larger
+		EXPECT_GE(scheme.after(3000, 1.01 * limit), 1e9);
+	}
+}
+
+TEST(LargestStepTest, unlike_dashpots_limit_the_step_as_the_scheme_is_stable)
+{
+	pairs::Random random(23);
+	int           unlike = 0, grown = 0;
+	for (int trial = 0; trial < 150; ++trial) {
+		const Damped brick(trial, random);
+		const Real   dt = brick.step().seconds;
+		EXPECT_LE(brick.scheme().radius(dt), 1 + 1e-6) << trial;          // double eigenvalues split by the root of round-off
+		EXPECT_GT(brick.scheme().radius(1.0012 * dt), 1 + 1e-4) << trial; // a thousandth is what the step may be short of; growth is twice the excess or more
+		unlike += dt != brick.stepOfLargestRatio(), grown += dt > 1.5 * brick.stepOfLargestRatio();
+	}
+	EXPECT_GT(unlike, 100); // the trials are what is meant
+	EXPECT_GT(grown, 20);
+}
+
+TEST(LargestStepTest, brick_with_unlike_dashpots_moves_stably_below_its_limit_and_not_above)
+{
+	pairs::Random random(24);
+	for (int trial = 0; trial < 24; ++trial) {
+		const Damped brick(trial, random);
+		const Scheme scheme = brick.scheme();
+		EXPECT_LT(scheme.after(5000, .99 * brick.step().seconds), 1e3) << trial; // as above, of 5 at the start
+		EXPECT_GE(scheme.after(5000, 1.01 * brick.step().seconds), 1e9) << trial;
+	}
+}
+
+TEST(LargestStepTest, one_ratio_on_all_covered_faces_is_the_limit_of_the_fastest_motion_bitwise)
+{
+	pairs::Random random(25);
+	for (int trial = 0; trial < 60; ++trial) {
+		Damped     brick(trial, random);
+		const Real ratio = trial % 5 ? std::pow(10, random.between(-6, -2)) : 0;
+		for (FaceSprings& f : brick.springs)
+			if (f.normal > 0) f.dashpotTime = ratio; // bare faces keep theirs, which must not count
+		const FastestMotion fastest = brick.fastest();
+		EXPECT_EQ(brick.step().seconds, stableStep(fastest.omegaSquared, ratio));
+		EXPECT_EQ(brick.step().face, fastest.face);
+	}
+}
+
+TEST(LargestStepTest, dashpots_of_bare_faces_do_not_count)
+{
+	pairs::Random random(26);
+	for (int trial = 0; trial < 30; ++trial) {
+		Damped     brick(trial, random);
+		const Real before = brick.step().seconds;
+		for (FaceSprings& f : brick.springs)
+			if (f.normal == 0) f.dashpotTime = trial % 2 ? 0 : 1e6;
+		EXPECT_EQ(brick.step().seconds, before);
+	}
+}
+
+TEST(LargestStepTest, more_dashpot_on_any_face_never_lengthens_the_step)
+{
+	pairs::Random random(27);
+	for (int trial = 0; trial < 60; ++trial) {
+		Damped brick(trial, random);
+		Real   last = brick.step().seconds;
+		for (int f = 0; f < faceCount; ++f) {
+			brick.springs[f].dashpotTime = brick.springs[f].dashpotTime * random.between(1, 3) + random.between(0, 1e-3);
+			const Real now               = brick.step().seconds;
+			EXPECT_LE(now, last * 1.0011) << trial; // each is found to a thousandth
+			last = now;
 		}
 	}
+}
+
+TEST(LargestStepTest, step_is_between_those_of_the_smallest_and_the_largest_ratio)
+{
+	pairs::Random random(28);
+	for (int trial = 0; trial < 100; ++trial) {
+		const Damped brick(trial, random);
+		EXPECT_GE(brick.step().seconds, brick.stepOfLargestRatio());
+		EXPECT_LE(brick.step().seconds, stableStep(brick.fastest().omegaSquared, 0));
+	}
+}
+
+TEST(LargestStepTest, extreme_ratios_are_found)
+{
+	pairs::Random random(29);
+	for (Real ratio : { 1e-12, 1., 1e6, 1e12 }) {
+		Damped brick(2, random);
+		brick.springs.fill({ 1e9, 4e8, 0 });
+		brick.springs[3].dashpotTime = ratio;
+		const Real dt                = brick.step().seconds;
+		const auto lambda            = [&](Real t) { return largest(t * t / 4 * brick.stiffness() + t / 2 * brick.damping()); };
+		EXPECT_LE(lambda(dt), 1 + roundOff) << ratio;
+		EXPECT_GT(lambda(1.0012 * dt), 1) << ratio; // a thousandth
+	}
+}
+
+TEST(LargestStepTest, refined_brick_is_safe_and_takes_the_largest_ratio)
+{
+	pairs::Random random(30);
+	for (int trial = 0; trial < 8; ++trial) {
+		Standing brick(trial % 2 ? flat : voussoir(), trial % 4 == 3 ? 5 : 2, Inner::Inset, allFaces);
+		brick.springs = randomSprings(random);
+		const Real dt = largestStep(brick.solid, brick.springs, brick.mass, brick.inertia, &brick.inner).seconds;
+		EXPECT_EQ(dt, stableStep(brick.fastest().omegaSquared, largestRatio(brick.springs)));
+		const Matrix damping = onSprings(brick.solid, dashpotsOf(brick.springs), brick.mass, brick.inertia, &brick.inner);
+		const Scheme scheme { brick.stiffness(), damping, brick.ownStiffness() };
+		EXPECT_LE(largest(dt * dt / 4 * scheme.K + dt / 2 * scheme.C), 1 + roundOff);
+		if (brick.inner.cells > 2) continue; // eigenvalues of matrices of 912 rows take long
+		EXPECT_LE(scheme.radius(dt), 1 + 1e-6); // as above
+	}
+}
+
+TEST(LargestStepTest, no_spring_is_no_limit)
+{
+	pairs::Random random(31);
+	for (int trial = 0; trial < 3; ++trial) {
+		Damped brick(trial, random);
+		brick.springs.fill({ 0, 0, .1 });
+		EXPECT_TRUE(std::isinf(brick.step().seconds));
+	}
+}
+
+TEST(LargestStepTest, names_the_face_that_limits)
+{
+	// equal springs: the dashpot decides; weak springs with the same ratio do not
+	for (const auto level : { Deformation::Rigid, Deformation::Uniform, Deformation::Trilinear })
+		for (int damped = 0; damped < faceCount; ++damped) {
+			const Brick b = Brick::cube(.001, level);
+			Springs     springs;
+			springs.fill({ 1e9, 1e8, 0 });
+			springs[damped].dashpotTime = 1e-3;
+			EXPECT_EQ(largestStep(b.body.solid, springs, b.mass, b.inertia, b.inner.get()).face, damped);
+			springs[damped] = { 1e5, 1e4, 1e-3 };
+			EXPECT_NE(largestStep(b.body.solid, springs, b.mass, b.inertia, b.inner.get()).face, damped);
+		}
 }
