@@ -21,7 +21,7 @@ Real utilisation(const MortarStrength& strength, Real sigma, Real tau)
 
 namespace {
 
-	/// Of the outermost segments of a patch that holds: each of the criteria is convex in the opening.
+	/// Of the outermost segments of a patch that holds and is a whole grid: each of the criteria is convex in the opening.
 	Real outermostUtilisation(const Joint& joint, const JointMotion& m, std::size_t patch)
 	{
 		const CornerVectors d       = joint.shape->patches[patch].outermost * m.patches[patch].opening;
@@ -34,17 +34,27 @@ namespace {
 		return largest;
 	}
 
+	/// Of a segment; zero when it has failed.
+	Real segmentUtilisation(const Joint& joint, const JointMotion& m, int index)
+	{
+		if (segmentOf(joint, index).state != SegmentState::Intact) return 0;
+		const SegmentTraction t = segmentTraction(joint, index, m, joint.shape->strength.tanFriction); // friction is of those that have failed
+		return utilisation(joint.shape->strength, t.normal, t.shear.norm());
+	}
+
 } // namespace
 
 Real utilisation(const Joint& joint, const JointMotion& m)
 {
 	Real largest = 0;
-	for (std::size_t i = 0; joint.holds() && i < m.patches.size(); ++i)
-		largest = std::max(largest, outermostUtilisation(joint, m, i));
-	for (int s = 0; !joint.holds() && s < joint.count(); ++s) {
-		if (segmentOf(joint, s).state != SegmentState::Intact) continue;
-		const SegmentTraction t = segmentTraction(joint, s, m, joint.shape->strength.tanFriction); // friction is of those that have failed
-		largest                 = std::max(largest, utilisation(joint.shape->strength, t.normal, t.shear.norm()));
+	int  first   = 0;
+	for (std::size_t i = 0; i < m.patches.size(); ++i) {
+		const JointPatch& patch = joint.shape->patches[i];
+		if (joint.holds() && patch.cut.empty()) largest = std::max(largest, outermostUtilisation(joint, m, i));
+		else
+			for (int s = first; s < first + patch.count; ++s)
+				largest = std::max(largest, segmentUtilisation(joint, m, s));
+		first += patch.count;
 	}
 	return largest;
 }
