@@ -30,7 +30,7 @@ std::vector<Body::id_t> DeformationOnDemand::candidates() const
 	std::vector<Body::id_t> found;
 	const auto              add = [&](const shared_ptr<Body>& b) {
                 const Brick* const shape = b && b->isDynamic() ? asBrick(b->shape) : nullptr;
-                if (shape && shape->solid && shape->isSettled() && (shape->deformation == "rigid" || shape->deformation == level)) found.push_back(b->getId());
+                if (shape && shape->solid && asBrickMat(b->material) && shape->isSettled() && (shape->deformation == "rigid" || shape->deformation == level)) found.push_back(b->getId());
 	};
 	for (const int id : ids) {
 		if (!scene->bodies->exists(id) || !asBrick((*scene->bodies)[id]->shape))

@@ -331,7 +331,8 @@ namespace {
 
 LargestStep largestStep(const Hexahedron& solid, const Springs& springs, Real mass, const Vector3r& inertia, const InnerPart* inner)
 {
-	constexpr Real enough = 1e-3;
+	constexpr Real enough         = 1e-3;
+	constexpr int  mostIterations = 50; // some six are needed; beyond, numbers are too far apart for each other
 	const auto     motion = fastestMotion(solid, springs, mass, inertia, inner);
 	Real           shortest = std::numeric_limits<Real>::infinity(), longest = 0;
 	for (const FaceSprings& f : springs)
@@ -342,7 +343,7 @@ LargestStep largestStep(const Hexahedron& solid, const Springs& springs, Real ma
 	// lambda grows with dt and is convex in it: a chord meets 1 below the step; halving the far end's value brings the next one closer [Illinois]
 	const auto beyond = [&](Real dt) { return fastestMotion(solid, inStep(springs, dt), mass, inertia, inner).omegaSquared - 1; };
 	Real       low = step.seconds, high = stableStep(motion.omegaSquared, shortest), atLow = beyond(low), atHigh = beyond(high);
-	while (high - low > enough * high && atLow < 0) {
+	for (int i = 0; i < mostIterations && high - low > enough * high && atLow < 0; ++i) {
 		const Real dt = low - atLow * (high - low) / (atHigh - atLow), at = beyond(dt);
 		if (at < 0) low = dt, atLow = at, atHigh /= 2;
 		else
