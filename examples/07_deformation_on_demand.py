@@ -13,6 +13,9 @@ their own model:
 | on demand u | rigid until a joint uses the share u of its strength, and again when it does not (DeformationOnDemand) |
 | on demand, kept | they stay deformable (release = 0) |
 | on demand, together | when one brick has to deform, all do, until no mortar holds them (paperWall.WallTogether) |
+| until loose | all deformable, until their mortar has failed: then rigid |
+
+Before that, the walls at rest with some bricks deformable and the others rigid, by statics: what such a mixture does to their joints.
 
 Leaves in DIR: table.md (cost, outcome, and differences from DEFORM before its first crack, before it collapses, and to the end), result.json,
 on-demand.png, and each run in a folder of its own. About six minutes for each r; --quick: a minute, and judged.
@@ -29,13 +32,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from yade_brick import report
+import yade_brick
+from yade import O
+from yade_brick import build, report
 
 examples = os.path.dirname(os.path.abspath(sys.argv[0]))
 sys.path.insert(0, examples)
 import onDemand
+import paperWall
 
 scripts = {"straight": "02_straight_joint_wall.py", "english": "03_english_bond_wall.py"}
+builders = {"straight": build.straightJointWall, "english": build.englishBondWall}
 roundOff = 1e-6  # by which r differs in repetitions
 
 
@@ -54,9 +61,11 @@ def onDemandModel(name, *arguments):
 rigid, deform, usual = Model("RIGID", ("--model", "rigid")), Model("DEFORM", ("--model", "deform")), onDemandModel("0.5", "utilisation=0.5")
 repetitions = [Model(f"DEFORM again {sign}", deform.arguments, 1 + number * roundOff) for sign, number in (("+", 1), ("-", -1))]
 together = onDemandModel("0.5, together", "utilisation=0.5", "release=0", "--together")
+# any stress at all, and so any mortar that holds, is a demand
+untilLoose = Model("until loose", (*deform.arguments, "--demand", "utilisation=1e-6"))
 models = [
         rigid, deform, *repetitions, onDemandModel("0.25", "utilisation=0.25"), usual, onDemandModel("0.75", "utilisation=0.75"),
-        onDemandModel("0.5, kept", "utilisation=0.5", "release=0"), together
+        onDemandModel("0.5, kept", "utilisation=0.5", "release=0"), together, untilLoose
 ]
 
 
@@ -65,7 +74,7 @@ def options():
 	parser.add_argument("--thickness", type=float, nargs="+", default=[0.001], help="thickness r of the contact part, one or several [m] (default: 0.001)")
 	parser.add_argument("--bond", nargs="+", choices=tuple(scripts), default=list(scripts), help="which walls (default: both)")
 	parser.add_argument("--duration", type=float, default=10, help="seconds of shaking (default: 10)")
-	parser.add_argument("--quick", action="store_true", help="the straight wall alone for 2.6 s, until it has cracked, with four models")
+	parser.add_argument("--quick", action="store_true", help="the straight wall alone for 2.6 s, until it has cracked, with five models")
 	parser.add_argument("--resume", action="store_true", help="take runs that DIR has already, made with the same options, instead of running them again")
 	parser.add_argument("--out", metavar="DIR", default="result-07", help="folder for the results (default: result-07)")
 	chosen = parser.parse_args()
@@ -76,7 +85,46 @@ def options():
 	return chosen
 
 
-# Running
+# Some bricks deformable at rest
+
+
+def mixtures(bond, thickness):
+	"""The largest share of its strength that a joint uses under self weight: dict from which bricks deform to (least, median, most) of the choices."""
+	count = {"straight": 36, "english": 39}[bond]
+	course = np.repeat(np.arange(paperWall.courses), 6 if bond == "straight" else [6, 7] * 3)
+	every, brick = np.full(count, True), np.eye(count, dtype=bool)
+	found = {
+	        "none": [largestUse(bond, thickness, ~every)],
+	        "all": [largestUse(bond, thickness, every)],
+	        "one": [largestUse(bond, thickness, one) for one in brick],
+	        "one course": [largestUse(bond, thickness, course == one) for one in range(paperWall.courses)],
+	        "all but one": [largestUse(bond, thickness, ~one) for one in brick],
+	}
+	return {name: (min(uses), float(np.median(uses)), max(uses)) for name, uses in found.items()}
+
+
+def largestUse(bond, thickness, deformable):
+	"""The largest share of its strength that a segment uses in the wall at rest.
+
+	:param deformable: (bricks,) which bricks deform
+	"""
+	O.reset()
+	chosen = paperWall.options(__doc__, "", ["--model", "rigid", "--thickness", repr(thickness)])
+	masonry = builders[bond](paperWall.columns, paperWall.courses, 3 * (paperWall.side,), **paperWall.brickOptions(chosen))
+	for body, deforms in zip(masonry.bodies, deformable):
+		body.shape.deformation = "trilinear" if deforms else "rigid"
+	adobe = masonry.bodies[0].material
+	O.bodies.append(paperWall.supportingWall(0, axis=2, sense=1, material=adobe))
+	O.bodies.append(masonry.bodies)
+	O.engines = yade_brick.engines(gravity=(0, 0, -paperWall.gravity), failure=False)
+	yade_brick.MortarJoints()()
+	yade_brick.StaticEquilibrium()()
+	O.step()
+	joints = [joint for joint in O.interactions if joint.isReal and joint.phys.jointed]
+	normal = np.array([stress for joint in joints for stress in joint.phys.normalStress(joint.geom)])
+	shear = np.array([stress.norm() for joint in joints for stress in joint.phys.shearStress(joint.geom)])
+	return float(onDemand.use(normal, shear, adobe.mortar).max())
+
 
 
 def perform(bond, thickness, model, chosen):
@@ -102,10 +150,11 @@ class Wall:
 	"""The runs of one wall with one r.
 
 	:param runs: dict from Model to (result, arrays)
+	:param mixtures: of the wall at rest, see `mixtures`
 	"""
 
-	def __init__(self, bond, thickness, runs):
-		self.bond, self.thickness, self.runs = bond, thickness, runs
+	def __init__(self, bond, thickness, runs, mixtures):
+		self.bond, self.thickness, self.runs, self.mixtures = bond, thickness, runs, mixtures
 		self.measured = {model: onDemand.measured(*run) for model, run in runs.items()}
 		self.reference = runs[deform][1]
 		fact, last = self.measured[deform], float(self.reference["time"][-1])
@@ -125,6 +174,10 @@ class Wall:
 		"""The larger of what repetitions of DEFORM differ by, for each of the ends; None without repetitions."""
 		found = [self.differences(model) for model in repetitions if model in self.runs]
 		return [onDemand.worst(same) for same in zip(*found)] if found else None
+
+	def mixtureTable(self):
+		rows = [[name, *(f"{value:.2f}" for value in values)] for name, values in self.mixtures.items()]
+		return onDemand.markdown(["at rest, deformable", "least", "median", "most"], rows)
 
 	def costTable(self):
 		headings = [
@@ -151,7 +204,7 @@ class Wall:
 		        model.name: {**found._asdict(), "differences": dict(zip(self.ends, (entry._asdict() for entry in self.differences(model))))}
 		        for model, found in self.measured.items()
 		}
-		return {"bond": self.bond, "thickness": self.thickness, "ends": self.ends, "models": rows}
+		return {"bond": self.bond, "thickness": self.thickness, "mixtures": self.mixtures, "ends": self.ends, "models": rows}
 
 
 def cell(found):
@@ -163,10 +216,11 @@ def text(walls):
 	        "CPU s: processor time of the shaking on one thread, without recording. Deformable: share of all brick-steps. Failed: segments, in tension, shear and "
 	        "compression. Collapse: a brick's centre has come down by half a side.\n",
 	        "Differences [mm]: distance of centres of bricks from those of DEFORM, both from where they were laid: root mean square of the top's first brick, "
-	        "of all bricks, largest of all.\n"
+	        "of all bricks, largest of all.\n",
+	        "At rest: largest share of its strength that a segment of the intact wall uses, over all choices of the bricks that deform.\n"
 	]
 	for wall in walls:
-		lines += [f"### {wall.title}\n", wall.costTable(), wall.errorTable()]
+		lines += [f"### {wall.title}\n", wall.mixtureTable(), wall.costTable(), wall.errorTable()]
 	return "\n".join(lines)
 
 
@@ -174,16 +228,16 @@ def text(walls):
 
 
 def judged(walls):
-	"""Rows that hold whatever the defects of the criterion: rigid until asked, cheaper than DEFORM, no energy from nothing."""
+	"""Rows that hold whatever the defects of the criterion: as it began until asked, fewer steps than DEFORM, no energy from nothing."""
 	rows = []
 	for wall in walls:
-		for model in (model for model in wall.runs if model.name.startswith("on demand")):
+		for model in (model for model in wall.runs if "--demand" in model.arguments):
 			result, arrays = wall.runs[model]
 			where = f"{wall.bond} {1e3 * wall.thickness:g} mm, {model.name}"
-			# as long as no brick deforms it is RIGID, to the last bit
-			before = arrays["time"] < onDemand.firstDemand(arrays)
-			unlike = np.abs(arrays["displacement"][before] - wall.runs[rigid][1]["displacement"][:before.sum()]).max()
-			rows.append(report.judgedRow(f"{where}: difference from RIGID before any brick deforms [m]", float(unlike), limit=0))
+			# until the first brick changes it is the wall that it began as, to the last bit
+			before, origin = onDemand.unchanged(arrays), deform if model == untilLoose else rigid
+			unlike = np.abs(arrays["displacement"][before] - wall.runs[origin][1]["displacement"][:before.sum()]).max()
+			rows.append(report.judgedRow(f"{where}: difference from {origin.name} before any brick changes [m]", float(unlike), limit=0))
 			# without fewer steps there would be no sense in it
 			rows.append(report.judgedRow(f"{where}: steps over DEFORM's", wall.measured[model].steps / wall.measured[deform].steps, limit=1))
 			rows += [{**row, "id": f"{where}: {row['id']}"} for row in result["rows"]]
@@ -192,7 +246,7 @@ def judged(walls):
 
 # The picture
 
-colors = {rigid: "#444444", deform: "#1f4e79", usual: "#c0562f", together: "#2e8b57"}
+colors = {rigid: "#444444", deform: "#1f4e79", usual: "#c0562f", together: "#2e8b57", untilLoose: "#7b3fa0"}
 
 
 def draw(walls, path):
@@ -231,11 +285,12 @@ def drawDemand(axes, wall):
 	axes.set(xlabel="time [s]", ylabel="bricks that deform")
 	last = min(4.0, float(wall.reference["time"][-1]))
 	other = axes.twinx()
-	other.set(ylabel="ux of the top's first brick [mm]", xlim=(min(1.0, last / 2), last), ylim=(-25, 25))
-	for model in (model for model in (rigid, deform, usual, together) if model in wall.runs):
+	other.set(ylabel="ux of the top's first brick [mm]", xlim=(min(1.0, last / 2), last), ylim=(-1000, 1000))
+	other.set_yscale("symlog", linthresh=2)
+	for model in (model for model in colors if model in wall.runs):
 		arrays = wall.runs[model][1]
 		other.plot(arrays["time"], 1e3 * arrays["displacement"][:, int(np.argmax(arrays["course"])), 0], color=colors[model], lw=0.9, label=model.name)
-		if model in (usual, together):
+		if "--demand" in model.arguments:
 			axes.step(arrays["time"], arrays["deformable"], where="post", color=colors[model], lw=0.8, alpha=0.6)
 			axes.fill_between(arrays["time"], arrays["deformable"], step="post", color=colors[model], alpha=0.15)
 	other.axvline(wall.measured[deform].firstFailed or last, color="#1f4e79", lw=0.6, linestyle=":")
@@ -248,14 +303,14 @@ def drawDemand(axes, wall):
 
 def main():
 	chosen, begun = options(), time.perf_counter()
-	wanted, walls = [rigid, deform, usual, together] if chosen.quick else models, []
+	wanted, walls = [rigid, deform, usual, together, untilLoose] if chosen.quick else models, []
 	for thickness in chosen.thickness:
 		for bond in chosen.bond:
 			runs = {}
 			for model in wanted:
 				runs[model] = perform(bond, thickness, model, chosen)
 				sys.stderr.write(f"{time.perf_counter() - begun:.0f} s: {bond}, {1e3 * thickness:g} mm, {model.name}\n")
-			walls.append(Wall(bond, thickness, runs))
+			walls.append(Wall(bond, thickness, runs, mixtures(bond, thickness)))
 	rows, table = judged(walls), text(walls)
 	with open(os.path.join(chosen.out, "table.md"), "w") as file:
 		file.write(table)

@@ -103,10 +103,20 @@ def worst(found):
 	return Difference(*(max(numbers) for numbers in zip(*found)))
 
 
-def firstDemand(arrays):
-	"""Time at which the first brick deformed [s]; infinity if none did."""
-	asked = np.asarray(arrays["deformable"]) > 0
-	return float(arrays["time"][asked.argmax()]) if asked.any() else np.inf
+def use(normal, shear, mortar):
+	"""Stresses of segments as shares of the mortar's strength in tension and shear; compression is far from it in these walls.
+
+	:param normal: tension positive (n,) [Pa]
+	:param shear: magnitude (n,) [Pa]
+	"""
+	held = np.maximum(mortar.cohesion - normal * np.tan(mortar.frictionAngle), 1e-12)
+	return np.maximum(normal / mortar.tensileStrength, shear / held)
+
+
+def unchanged(arrays):
+	"""Which samples are from before the first brick changed, (times,)."""
+	deformable = np.asarray(arrays["deformable"])
+	return np.cumsum(deformable != deformable[0]) == 0
 
 
 def timeText(seconds):

@@ -40,11 +40,14 @@ def attribute(text):
 	return name, int(value) if value.isdigit() else float(value)
 
 
-def options(description, out):
-	"""The options of a wall from the command line."""
+def options(description, out, given=None):
+	"""The options of a wall from the command line, or from a list of arguments."""
 	parser = argparse.ArgumentParser(prog=os.path.basename(sys.argv[0]), description=description.splitlines()[0])
 	parser.add_argument("--model", choices=tuple(modelNames), default="deform", help="RIGID or DEFORM of the paper, or bricks that deform on demand (default: deform)")
-	parser.add_argument("--demand", nargs="*", type=attribute, default=[], metavar="NAME=VALUE", help="with --model demand: attributes of DeformationOnDemand")
+	parser.add_argument(
+	        "--demand", nargs="+", type=attribute, default=[], metavar="NAME=VALUE",
+	        help="attributes of DeformationOnDemand; with --model deform for bricks that begin deformable"
+	)
 	parser.add_argument("--together", action="store_true", help="with --model demand: when one brick has to deform, all do; see WallTogether")
 	parser.add_argument("--motion", metavar="FILE", help="PEER AT2 file, or columns of time [s] and acceleration [m/s2]; default: synthetic near-fault motion")
 	parser.add_argument("--direction", choices=("x", "y"), default="x", help="shake in the wall's plane (x) or out of it (y) (default: x)")
@@ -62,7 +65,7 @@ def options(description, out):
 	parser.add_argument("--damping-ratio", type=float, default=0, help="fraction of critical damping of the bricks' deformation (default: 0)")
 	parser.add_argument("--bill", action="store_true", help="where the time of the shaking went, also in result.json; measuring takes some of it itself")
 	parser.add_argument("--out", metavar="DIR", default=out, help=f"folder for the results (default: {out})")
-	chosen = parser.parse_args()
+	chosen = parser.parse_args(given)
 	if not (math.isfinite(chosen.duration) and chosen.duration > 0):
 		parser.error(f"--duration is {chosen.duration}; allowed is a finite number of seconds > 0")
 	return chosen
@@ -111,7 +114,7 @@ class WallRun:
 		self.unloaded = corners(masonry.bodies)
 		O.bodies.append(supportingWall(0, axis=2, sense=1, material=masonry.bodies[0].material))
 		O.bodies.append(masonry.bodies)
-		O.engines = self.loop = yade_brick.engines(gravity=(0, 0, -gravity), onDemand=dict(chosen.demand) if chosen.model == "demand" else None)
+		O.engines = self.loop = yade_brick.engines(gravity=(0, 0, -gravity), onDemand=dict(chosen.demand) or chosen.model == "demand")
 		self.law = self.loop.law
 		self.together = WallTogether(masonry, self.loop) if chosen.together else None
 		yade_brick.MortarJoints()()
@@ -243,7 +246,7 @@ def deepestCorner(chosen):
 
 	At depth d the corner of a cube that stands on it has the volume sqrt(3)/2 d^3 below the floor, and the force is kn times that.
 	"""
-	springLength = chosen.thickness if chosen.model == "deform" else side / 2
+	springLength = chosen.thickness if chosen.model == "deform" and not chosen.demand else side / 2
 	stiffness = chosen.young / ((1 - chosen.poisson**2) * springLength)
 	fallEnergy = density * side**3 * gravity * height
 	return (8 / math.sqrt(3) * fallEnergy / stiffness)**0.25
@@ -459,8 +462,8 @@ class Recorder:
 
 	def writeArrays(self, path):
 		"""time (m,) [s]; displacement of the bricks' centres (m, bricks, 3) and of the corners of A and B (m, 2, 3) [m]; failed (m, 3) in tension,
-		shear, compression; step (m,), deformable (m,): number of step, and of bricks that deform; course (bricks,) from 0; of the shapes frameTime (f,) [s], frameCorners (f, bricks, 8, 3) [m], and their marks one after
-		the other: markCount (f,), markPoint (.., 3) [m], markState.
+		shear, compression; step (m,), deformable (m,): number of step, and of bricks that deform; course (bricks,) from 0; of the shapes
+		frameTime (f,) [s], frameCorners (f, bricks, 8, 3) [m], and their marks one after the other: markCount (f,), markPoint (.., 3) [m], markState.
 		"""
 		times, shapes, marks = zip(*self.frames)
 		np.savez_compressed(
