@@ -246,56 +246,52 @@ def judged(walls):
 
 # The picture
 
-colors = {rigid: "#444444", deform: "#1f4e79", usual: "#c0562f", together: "#2e8b57", untilLoose: "#7b3fa0"}
+colors = dict(zip(models, ("#444444", "#1f4e79", "#1f4e79", "#1f4e79", "#c9a227", "#c0562f", "#8a2f1a", "#d98fa0", "#2e8b57", "#7b3fa0")))
+shownInTime = (rigid, deform, usual, together, untilLoose)
+leastError = 1e-9  # what is no different from DEFORM is drawn there [m]
 
 
 def draw(walls, path):
-	"""Time saved against error, and when which bricks deformed, a column for each wall."""
+	"""Time saved against error; when how many bricks deformed; displacement of the top: a column for each wall."""
 	from matplotlib.backends.backend_agg import FigureCanvasAgg
 	from matplotlib.figure import Figure
-	figure = Figure(figsize=(6.5 * len(walls), 9), layout="constrained")
+	figure = Figure(figsize=(6.5 * len(walls), 10.5), layout="constrained")
 	FigureCanvasAgg(figure)
-	for (above, below), wall in zip(figure.subplots(2, len(walls), squeeze=False).T, walls):
-		drawCost(above, wall)
-		drawDemand(below, wall)
-	figure.savefig(path, dpi=75)
+	for axes, wall in zip(figure.subplots(3, len(walls), squeeze=False, height_ratios=(5, 3, 4)).T, walls):
+		drawCost(axes[0], wall)
+		drawInTime(axes[1:], wall)
+	figure.savefig(path, dpi=70)
 
 
 def drawCost(axes, wall):
 	"""Error of all bricks over the factor by which the run is faster than DEFORM."""
-	axes.set(xlabel="time of DEFORM / time", ylabel="rms difference from DEFORM, all bricks [mm]", xscale="log", yscale="log", title=wall.title)
+	title = f"{wall.title}\ndots: before the first crack, squares: before the collapse"
+	axes.set(xlabel="time of DEFORM / time", ylabel="rms difference from DEFORM [mm]", yscale="log", title=title)
 	for model in (model for model in wall.runs if model != deform and model not in repetitions):
-		faster, color = wall.measured[deform].cpu / wall.measured[model].cpu, colors.get(model, "#8a6d3b")
-		before, until, _ = (1e3 * found.all for found in wall.differences(model))
+		faster, color = wall.measured[deform].cpu / wall.measured[model].cpu, colors[model]
+		before, until, _ = (1e3 * max(found.all, leastError) for found in wall.differences(model))
 		axes.plot([faster, faster], [before, until], color=color, lw=0.6)
-		axes.plot(faster, before, "o", color=color)
+		axes.plot(faster, before, "o", color=color, label=model.name)
 		axes.plot(faster, until, "s", color=color, fillstyle="none")
-		axes.annotate(model.name.replace("on demand ", ""), (faster, before), (5, -3), textcoords="offset points", fontsize=8, color=color)
-	scatter = wall.scatter() or []
-	for found, line, name in zip(scatter, ("-", "--"), ("first crack (dots)", "collapse (squares)")):
-		if found.all > 0:
-			axes.axhline(1e3 * found.all, color="#1f4e79", lw=0.8, linestyle=line, label=f"DEFORM again, until the {name}")
-	if scatter:
-		axes.legend(fontsize=8, loc="best")
-	axes.margins(0.2, 0.1)
+	for found, line, name in zip(wall.scatter() or [], ("-", "--"), ("first crack", "collapse")):
+		axes.axhline(1e3 * max(found.all, leastError), color=colors[deform], lw=0.8, linestyle=line, label=f"DEFORM again, before the {name}")
+	axes.set_xlim(left=0)
+	axes.legend(fontsize=8, loc="lower right")
 
 
-def drawDemand(axes, wall):
-	"""Bricks that deform and displacement of the top, over the time until the walls fall."""
-	axes.set(xlabel="time [s]", ylabel="bricks that deform")
+def drawInTime(axes, wall):
 	last = min(4.0, float(wall.reference["time"][-1]))
-	other = axes.twinx()
-	other.set(ylabel="ux of the top's first brick [mm]", xlim=(min(1.0, last / 2), last), ylim=(-1000, 1000))
-	other.set_yscale("symlog", linthresh=2)
-	for model in (model for model in colors if model in wall.runs):
-		arrays = wall.runs[model][1]
-		other.plot(arrays["time"], 1e3 * arrays["displacement"][:, int(np.argmax(arrays["course"])), 0], color=colors[model], lw=0.9, label=model.name)
-		if "--demand" in model.arguments:
-			axes.step(arrays["time"], arrays["deformable"], where="post", color=colors[model], lw=0.8, alpha=0.6)
-			axes.fill_between(arrays["time"], arrays["deformable"], step="post", color=colors[model], alpha=0.15)
-	other.axvline(wall.measured[deform].firstFailed or last, color="#1f4e79", lw=0.6, linestyle=":")
-	axes.set_ylim(0, 1.6 * len(wall.reference["course"]))
-	other.legend(fontsize=8, loc="upper left")
+	count, top = axes
+	count.set(ylabel="bricks that deform", xlim=(min(1.0, last / 2), last))
+	top.set(xlabel="time [s]", ylabel="ux of the top's first brick [mm]", xlim=count.get_xlim(), ylim=(-1000, 1000))
+	top.set_yscale("symlog", linthresh=2)
+	for model in (model for model in shownInTime if model in wall.runs):
+		arrays, color = wall.runs[model][1], colors[model]
+		count.step(arrays["time"], arrays["deformable"], where="post", color=color, lw=1, label=model.name)
+		top.plot(arrays["time"], 1e3 * arrays["displacement"][:, int(np.argmax(arrays["course"])), 0], color=color, lw=0.9)
+	for each in axes:
+		each.axvline(wall.measured[deform].firstFailed or last, color=colors[deform], lw=0.6, linestyle=":")
+	count.legend(fontsize=8, loc="upper right")
 
 
 # The command
