@@ -115,8 +115,8 @@ def use(normal, shear, mortar):
 
 def unchanged(arrays):
 	"""Which samples are from before the first brick changed, (times,)."""
-	deformable = np.asarray(arrays["deformable"])
-	return np.cumsum(deformable != deformable[0]) == 0
+	asked = np.asarray(arrays["asked"])
+	return np.cumsum(asked != asked[0]) == 0
 
 
 def timeText(seconds):

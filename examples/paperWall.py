@@ -381,7 +381,7 @@ class Recorder:
 		self.failed = failures(law)
 		self.times, self.displacements, self.failures, self.frames = [], [], {mode: [] for mode in self.failed}, []
 		self.joints = snapshot.JointRecord()
-		self.steps, self.deformable, self.lookedSeconds = [], [], 0
+		self.steps, self.deformable, self.asked, self.lookedSeconds = [], [], [], 0
 		self.look()
 
 	def look(self):
@@ -396,6 +396,7 @@ class Recorder:
 		places, moved = zip(*(coordsAndDisplacements(axis) for axis in range(3)))
 		self.displacements.append(np.array(moved).T[self.ids])
 		self.steps.append(O.iter)
+		self.asked.append(sum(shape.deformation != "rigid" for shape in self.energy.shapes))
 		self.deformable.append(sum(shape.deformation != "rigid" or shape.share < 1 for shape in self.energy.shapes))
 		for name, (brick, corner) in self.followed.items():
 			body = self.bodies[brick]
@@ -462,8 +463,8 @@ class Recorder:
 
 	def writeArrays(self, path):
 		"""time (m,) [s]; displacement of the bricks' centres (m, bricks, 3) and of the corners of A and B (m, 2, 3) [m]; failed (m, 3) in tension,
-		shear, compression; step (m,), deformable (m,): number of step, and of bricks that deform; course (bricks,) from 0; of the shapes
-		frameTime (f,) [s], frameCorners (f, bricks, 8, 3) [m], and their marks one after the other: markCount (f,), markPoint (.., 3) [m], markState.
+		shear, compression; step (m,), deformable (m,), asked (m,): number of step, of bricks that deform (those on the way to rigid too), and of bricks
+		that are asked to; course (bricks,) from 0; of the shapes frameTime (f,) [s], frameCorners (f, bricks, 8, 3) [m], and their marks one after the other: markCount (f,), markPoint (.., 3) [m], markState.
 		"""
 		times, shapes, marks = zip(*self.frames)
 		np.savez_compressed(
@@ -474,6 +475,7 @@ class Recorder:
 		        failed=np.column_stack(list(self.failures.values())),
 		        step=self.steps,
 		        deformable=self.deformable,
+		        asked=self.asked,
 		        course=np.repeat(np.arange(len(self.masonry.courses)), [len(course) for course in self.masonry.courses]),
 		        frameTime=times,
 		        frameCorners=np.array([[patch.corners for patch in shape] for shape in shapes]),

@@ -67,7 +67,7 @@ class MeasuredTest(unittest.TestCase):
 		self.assertIsNone(onDemand.measured(result, arrays).firstFailed)
 
 	def test_unchanged_until_the_first_change(self):
-		self.assertEqual(onDemand.unchanged({"deformable": [2, 2, 1, 2]}).tolist(), [True, True, False, False])
+		self.assertEqual(onDemand.unchanged({"asked": [2, 2, 1, 2]}).tolist(), [True, True, False, False])
 
 	def test_use_of_strength(self):
 		mortar = types.SimpleNamespace(tensileStrength=4.0, cohesion=3.0, frictionAngle=math.pi / 4)
