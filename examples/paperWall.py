@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # The walls of Furukawa et al. 2014, section 4.2 (Fig. 7, Tables 1 and 3): options, scene, self weight, shaking and what is written down.
-# Examples 02 (straight joints) and 03 (English bond) lay the bricks and call these functions in order; 04 compares what they leave behind.
+# Examples 02 (straight joints) and 03 (English bond) lay the bricks and call these functions in order; 04 and 07 compare what they leave behind.
 """A wall of the paper from its options to its results; see `WallRun`."""
 
 import argparse
@@ -29,13 +29,26 @@ energyTolerance = 0.01 * (density * columns * side * side * height) * gravity * 
 pictureLimits = (-1.2, 2.8, -0.15, 1.4)  # of x and z in wall.png: bricks that have flown farther are outside [m]
 restRatio, restImbalance = 1e-8, 1e-4  # criterion of rest: kinetic over elastic energy, mean net force over mean force in joints
 
+modelNames = {"rigid": "RIGID", "deform": "DEFORM", "demand": "DEFORM on demand"}
+
 # What to run
 
 
-def options(description, out):
-	"""The options of a wall from the command line."""
+def attribute(text):
+	"""NAME=VALUE as (name, number)."""
+	name, value = text.split("=")
+	return name, int(value) if value.isdigit() else float(value)
+
+
+def options(description, out, given=None):
+	"""The options of a wall from the command line, or from a list of arguments."""
 	parser = argparse.ArgumentParser(prog=os.path.basename(sys.argv[0]), description=description.splitlines()[0])
-	parser.add_argument("--model", choices=("rigid", "deform"), default="deform", help="RIGID or DEFORM of the paper (default: deform)")
+	parser.add_argument("--model", choices=tuple(modelNames), default="deform", help="RIGID or DEFORM of the paper, or bricks that deform on demand (default: deform)")
+	parser.add_argument(
+	        "--demand", nargs="+", type=attribute, default=[], metavar="NAME=VALUE",
+	        help="attributes of DeformationOnDemand; with --model deform for bricks that begin deformable"
+	)
+	parser.add_argument("--together", action="store_true", help="with --model demand: when one brick has to deform, all do; see WallTogether")
 	parser.add_argument("--motion", metavar="FILE", help="PEER AT2 file, or columns of time [s] and acceleration [m/s2]; default: synthetic near-fault motion")
 	parser.add_argument("--direction", choices=("x", "y"), default="x", help="shake in the wall's plane (x) or out of it (y) (default: x)")
 	parser.add_argument("--scale", type=float, default=1, help="factor on the motion; 0: no motion, the wall has to stay at rest (default: 1)")
@@ -52,7 +65,7 @@ def options(description, out):
 	parser.add_argument("--damping-ratio", type=float, default=0, help="fraction of critical damping of the bricks' deformation (default: 0)")
 	parser.add_argument("--bill", action="store_true", help="where the time of the shaking went, also in result.json; measuring takes some of it itself")
 	parser.add_argument("--out", metavar="DIR", default=out, help=f"folder for the results (default: {out})")
-	chosen = parser.parse_args()
+	chosen = parser.parse_args(given)
 	if not (math.isfinite(chosen.duration) and chosen.duration > 0):
 		parser.error(f"--duration is {chosen.duration}; allowed is a finite number of seconds > 0")
 	return chosen
@@ -82,7 +95,7 @@ def brickOptions(chosen):
 	        young=chosen.young, poisson=chosen.poisson, density=density, frictionAngle=phi, mortar=mortar, hn=chosen.hn, hs=chosen.hs,
 	        dampingRatio=chosen.damping_ratio
 	)
-	deformation = "rigid" if chosen.model == "rigid" else "trilinear"
+	deformation = "trilinear" if chosen.model == "deform" else "rigid"
 	return {
 	        "material": adobe, "deformation": deformation, "element": chosen.element, "inner": chosen.inner, "contactThickness": chosen.thickness,
 	        "segments": chosen.segments
@@ -101,8 +114,9 @@ class WallRun:
 		self.unloaded = corners(masonry.bodies)
 		O.bodies.append(supportingWall(0, axis=2, sense=1, material=masonry.bodies[0].material))
 		O.bodies.append(masonry.bodies)
-		O.engines = self.loop = yade_brick.engines(gravity=(0, 0, -gravity))
+		O.engines = self.loop = yade_brick.engines(gravity=(0, 0, -gravity), onDemand=dict(chosen.demand) or chosen.model == "demand")
 		self.law = self.loop.law
+		self.together = WallTogether(masonry, self.loop) if chosen.together else None
 		yade_brick.MortarJoints()()
 
 	def settle(self):
@@ -125,13 +139,20 @@ class WallRun:
 		self.loop.insert(self.loop.index(self.loop.newton), ground)
 		O.engines = self.loop
 		self.recorder = Recorder(self.masonry, self.unloaded, self.law, self.chosen.duration, EnergyBalance(self.masonry, ground))
+		begun = time.process_time() - self.recorder.lookedSeconds  # the look at the start was before
 		with yade_brick.Bill() if self.chosen.bill else contextlib.nullcontext() as self.bill:
-			self.stage = progress.runWithProgress(duration=self.chosen.duration, label="shaking", every=lookEvery, callback=self.recorder.look)
+			self.stage = progress.runWithProgress(duration=self.chosen.duration, label="shaking", every=lookEvery, callback=self.look)
+		self.processorSeconds = time.process_time() - begun - self.recorder.lookedSeconds
 		self.rested = rest.restState()
+
+	def look(self):
+		if self.together:
+			self.together.look()
+		return self.recorder.look()
 
 	@property
 	def title(self):
-		return f"{'RIGID' if self.chosen.model == 'rigid' else 'DEFORM'}, {self.motion.name}"
+		return f"{modelNames[self.chosen.model]}, {self.motion.name}"
 
 	def judged(self, leastFallen=0):
 		"""What has to hold: the wall was at rest before the shaking, and at the end every brick is somewhere above the floor."""
@@ -169,6 +190,9 @@ class WallRun:
 		        unbalancedForceAfterSettling=self.settled.state.imbalance,
 		        atRest=self.settled.facts(),
 		        wallSeconds=time.perf_counter() - self.begun,
+		        shakingSteps=self.stage.steps,
+		        processorSeconds=self.processorSeconds,
+		        levelChanges=[self.loop.onDemand.promoted, self.loop.onDemand.demoted] if self.loop.onDemand else [0, 0],
 		        secondsPerSimulatedSecond=self.stage.secondsPerSimulatedSecond,
 		        microsecondsPerBrickStep=1e6 * self.stage.wallSeconds / self.stage.steps / len(self.masonry.bodies),
 		        depthBelowFloor=depthBelowFloor(self.masonry.bodies),
@@ -183,6 +207,35 @@ class WallRun:
 		return report.exitStatus(rows)
 
 
+class WallTogether:
+	"""Lets all bricks deform as soon as DeformationOnDemand has found one that has to, and a brick be rigid again when no mortar has held it for a while.
+
+	A brick that deforms beside one that does not bends and shears the joint between them; see doc/on-demand.md. The engine's release has to be 0.
+	"""
+
+	levelTime = 0.05  # of all bricks the same, so that halves do not change before whole ones; half a period of the wall [s]
+
+	def __init__(self, masonry, loop):
+		self.bodies, self.engine, self.begun, self.loose = masonry.bodies, loop.onDemand, False, {}
+		loop.dynamics.levelTime = self.levelTime
+
+	def look(self):
+		if not self.engine.promoted:
+			return
+		if not self.begun:
+			self.begun = True
+			self.change(self.bodies, self.engine.level)
+		held = {id for joint in O.interactions if joint.isReal and joint.phys.jointed for id in (joint.id1, joint.id2)}
+		self.loose = {body.id: self.loose.get(body.id, O.time) for body in self.bodies if body.id not in held}
+		self.change([body for body in self.bodies if O.time - self.loose.get(body.id, math.inf) >= self.engine.patience], "rigid")
+
+	@staticmethod
+	def change(bodies, level):
+		for body in bodies:
+			if body.shape.deformation != level:
+				body.shape.deformation = level
+
+
 def depthBelowFloor(bodies):
 	"""How deep the lowest corner is below the floor [m]."""
 	return -min(corner[2] for body in bodies for corner in body.shape.worldCorners(body.state))
@@ -193,7 +246,7 @@ def deepestCorner(chosen):
 
 	At depth d the corner of a cube that stands on it has the volume sqrt(3)/2 d^3 below the floor, and the force is kn times that.
 	"""
-	springLength = side / 2 if chosen.model == "rigid" else chosen.thickness
+	springLength = chosen.thickness if chosen.model == "deform" and not chosen.demand else side / 2
 	stiffness = chosen.young / ((1 - chosen.poisson**2) * springLength)
 	fallEnergy = density * side**3 * gravity * height
 	return (8 / math.sqrt(3) * fallEnergy / stiffness)**0.25
@@ -328,14 +381,23 @@ class Recorder:
 		self.failed = failures(law)
 		self.times, self.displacements, self.failures, self.frames = [], [], {mode: [] for mode in self.failed}, []
 		self.joints = snapshot.JointRecord()
+		self.steps, self.deformable, self.asked, self.lookedSeconds = [], [], [], 0
 		self.look()
 
 	def look(self):
+		begun = time.process_time()
+		self.record()
+		self.lookedSeconds += time.process_time() - begun
+
+	def record(self):
 		now = O.time - self.start
 		self.times.append(now)
 		# of all bodies at once, axis by axis: asking brick by brick takes forty times as long
 		places, moved = zip(*(coordsAndDisplacements(axis) for axis in range(3)))
 		self.displacements.append(np.array(moved).T[self.ids])
+		self.steps.append(O.iter)
+		self.asked.append(sum(shape.deformation != "rigid" for shape in self.energy.shapes))
+		self.deformable.append(sum(shape.deformation != "rigid" or shape.share < 1 for shape in self.energy.shapes))
 		for name, (brick, corner) in self.followed.items():
 			body = self.bodies[brick]
 			self.cornersMoved[name].append(snapshot.numbers(body.shape.worldCorners(body.state)[corner]) - self.unloaded[brick, corner])
@@ -401,8 +463,8 @@ class Recorder:
 
 	def writeArrays(self, path):
 		"""time (m,) [s]; displacement of the bricks' centres (m, bricks, 3) and of the corners of A and B (m, 2, 3) [m]; failed (m, 3) in tension,
-		shear, compression; course (bricks,) from 0; of the shapes frameTime (f,) [s], frameCorners (f, bricks, 8, 3) [m], and their marks one after
-		the other: markCount (f,), markPoint (.., 3) [m], markState.
+		shear, compression; step (m,), deformable (m,), asked (m,): number of step, of bricks that deform (those on the way to rigid too), and of bricks
+		that are asked to; course (bricks,) from 0; of the shapes frameTime (f,) [s], frameCorners (f, bricks, 8, 3) [m], and their marks one after the other: markCount (f,), markPoint (.., 3) [m], markState.
 		"""
 		times, shapes, marks = zip(*self.frames)
 		np.savez_compressed(
@@ -411,6 +473,9 @@ class Recorder:
 		        displacement=np.array(self.displacements),
 		        corner=np.stack(list(self.cornersMoved.values()), axis=1),
 		        failed=np.column_stack(list(self.failures.values())),
+		        step=self.steps,
+		        deformable=self.deformable,
+		        asked=self.asked,
 		        course=np.repeat(np.arange(len(self.masonry.courses)), [len(course) for course in self.masonry.courses]),
 		        frameTime=times,
 		        frameCorners=np.array([[patch.corners for patch in shape] for shape in shapes]),
