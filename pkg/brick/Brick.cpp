@@ -335,7 +335,6 @@ const std::vector<Real>& Brick::presentOmegaSquared() const
 
 void Brick::setAmplitudes(const std::vector<Real>& given)
 {
-	moved      = true;
 	amplitudes = given;
 	std::fill(rates.begin(), rates.end(), 0);
 	updateNodes(false);

@@ -55,7 +55,9 @@ void StaticEquilibrium::takeOver(const SceneAssembly& assembly)
 		state.pos         = part.position;
 		state.ori         = part.orientation;
 		state.vel = state.angVel = state.angMom = Vector3r::Zero();
-		if (part.modes) static_cast<Brick&>(*body->shape).setAmplitudes(part.amplitudes);
+		auto& shape = static_cast<Brick&>(*body->shape);
+		shape.moved = true;
+		if (part.modes) shape.setAmplitudes(part.amplitudes);
 	}
 	scene->doSort = true;
 }

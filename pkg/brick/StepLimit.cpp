@@ -65,7 +65,7 @@ void StepLimit::FacePartners::add(const brick::SpotSprings& k, bool held)
 	most.shearDashpot  = std::max(most.shearDashpot, times * k.shearDashpot);
 }
 
-/// What a brick that nothing touches may meet any time with any face: its like.
+/// What a brick may meet any time with any face: its like, which counts at the least. (That leaves room for local damping, too, which adds to forces that brake.)
 StepLimit::Partners StepLimit::likesOf(const Brick& shape, const BrickMat& material, bool damped) const
 {
 	const Real         l = shortestContactLength(shape);
@@ -96,11 +96,11 @@ StepLimit::Partners StepLimit::partnersOf(const Body& b, const Brick& shape, con
 		});
 		alone = false, damped = damped || phys->damped;
 	}
+	const Partners likes = likesOf(shape, material, alone ? lawHasDashpots(*scene) : damped);
 	// what touches a bare face is seen in the step that it does so
-	if (std::all_of(p.begin(), p.end(), [](const FacePartners& face) { return face.coverage == 0; }))
-		return likesOf(shape, material, alone ? lawHasDashpots(*scene) : damped);
-	for (auto& face : p)
-		if (face.coverage > 0) face.coverage = atLeastOnce(face.coverage);
+	if (std::all_of(p.begin(), p.end(), [](const FacePartners& face) { return face.coverage == 0; })) return likes;
+	for (int f = 0; f < brick::faceCount; ++f)
+		if (p[f].coverage > 0) p[f].add(likes[f].most, true), p[f].coverage = atLeastOnce(p[f].coverage);
 	return p;
 }
 

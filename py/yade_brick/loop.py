@@ -366,12 +366,16 @@ def effects(engines=None):
 
 	:param engines: list of engines; None: O.engines. Those that are dead count as not there
 	:returns: Effects: records of name, on and why, which `print` shows one a line
+	:raises ValueError: for anything else than engines
 
 	>>> print(yade_brick.effects()['gravity'].why)
 	(0, 0, -9.81) m/s2
 	"""
 	from yade import O
-	loop, scene = Loop(engine for engine in (O.engines if engines is None else engines) if not engine.dead), _Scene()
+	given = O.engines if engines is None else engines
+	if not isinstance(given, (list, tuple)) or not all(_isA(engine, "Engine") for engine in given):
+		raise ValueError(f"engines is {engines!r}; allowed is a list of engines, or None for O.engines")
+	loop, scene = Loop(engine for engine in given if not engine.dead), _Scene()
 	return Effects(Effect(name, *found(loop, scene)) for name, found in _effects.items())
 
 

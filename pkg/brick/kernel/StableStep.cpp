@@ -344,7 +344,8 @@ LargestStep largestStep(const Hexahedron& solid, const Springs& springs, Real ma
 	const auto beyond = [&](Real dt) { return fastestMotion(solid, inStep(springs, dt), mass, inertia, inner).omegaSquared - 1; };
 	Real       low = step.seconds, high = stableStep(motion.omegaSquared, shortest), atLow = beyond(low), atHigh = beyond(high);
 	for (int i = 0; i < mostIterations && high - low > enough * high && atLow < 0; ++i) {
-		const Real dt = low - atLow * (high - low) / (atHigh - atLow), at = beyond(dt);
+		const Real chord = low - atLow * (high - low) / (atHigh - atLow);
+		const Real dt    = std::min(chord, (1 - enough / 2) * high), at = beyond(dt); // the step may be at the far end itself
 		if (at < 0) low = dt, atLow = at, atHigh /= 2;
 		else
 			high = dt, atHigh = at, atLow /= 2;
