@@ -242,11 +242,16 @@ void Brick::setContactLengths()
 	}
 }
 
+Real Brick::changeTime() const
+{
+	constexpr Real periods = 4; // the element follows its load to some per cent
+	return inside ? periods * 2 * M_PI / std::sqrt(inside->modes.omegaSquared.front()) : NaN;
+}
+
 Real Brick::changeLevel(const BrickMat& material, Real dt, Real duration)
 {
-	constexpr Real periods = 4; // of the slowest mode: the element follows its load to some per cent
-	const auto     part    = [&] {
-                const Real whole = std::isnan(duration) ? periods * 2 * M_PI / std::sqrt(inside->modes.omegaSquared.front()) : duration;
+	const auto part = [&] {
+                const Real whole = std::isnan(duration) ? changeTime() : duration;
                 return whole > dt ? dt / whole : 1;
 	};
 	Real dropped = 0;

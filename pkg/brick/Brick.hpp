@@ -53,8 +53,9 @@ public:
 	bool isChanging() const { return changing; }                     ///< one does, or joints have yet to take up what the contact lengths are now
 
 	/// A step of the change of level towards the attributes: the brick's compliance moves from the springs into the element, or back.
-	/// @param duration of the whole change [s]; NaN: some periods of the slowest mode, 0: at once   @return what the end of the deformation takes from all energy, where its loads are in equilibrium [J]
+	/// @param duration of the whole change [s]; NaN: changeTime(), 0: at once   @return what the end of the deformation takes from all energy, where its loads are in equilibrium [J]
 	Real changeLevel(const BrickMat&, Real dt, Real duration);
+	Real changeTime() const; ///< some periods of the slowest mode [s]; NaN where it is not known
 	void noteTakenUp() { changing = !isSettled(); } ///< joints have taken up the contact lengths
 
 	/// What the contact lengths are when no change goes on: the shortest that they can have at this level.

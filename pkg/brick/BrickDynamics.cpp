@@ -232,13 +232,16 @@ void BrickDynamics::takeUpReleased(const Body& b)
 /// Goes on with changes of level, from which the next step begins.
 void BrickDynamics::changeLevels()
 {
-	bool softer = false; // a brick's springs are those of a rigid one again
+	bool softer   = false; // a brick's springs are those of a rigid one again
+	Real duration = levelTime;
+	for (std::size_t id = 0; id < steps.size() && std::isnan(levelTime); ++id) // one for all: bricks that change together stay alike
+		if (steps[id].changing) duration = std::fmax(duration, static_cast<const Brick&>(*(*scene->bodies)[id]->shape).changeTime());
 	for (std::size_t id = 0; id < steps.size(); ++id) {
 		if (!steps[id].changing) continue;
 		const Body& b       = *(*scene->bodies)[id];
 		Brick&      shape   = static_cast<Brick&>(*b.shape);
 		const auto  before = shape.level;
-		if (!shape.isSettled()) energyLedger.dropped += shape.changeLevel(static_cast<const BrickMat&>(*b.material), scene->dt, levelTime);
+		if (!shape.isSettled()) energyLedger.dropped += shape.changeLevel(static_cast<const BrickMat&>(*b.material), scene->dt, duration);
 		takeUpContactLengths(b, *scene);
 		shape.noteTakenUp();
 		softer = softer || (shape.level != before && !shape.isDeformable());

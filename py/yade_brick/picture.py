@@ -97,9 +97,7 @@ def pictureSeries(
 		raise ValueError("there is nothing to draw; at least one frame with at least one brick is needed")
 	if not isinstance(columns, numbers.Integral) or columns < 1:
 		raise ValueError(f"columns is {columns!r}; allowed is a whole number, at least 1")
-	for name, value in (("width", width), ("dpi", dpi)):
-		if not (isFinite(value) and value > 0):
-			raise ValueError(f"{name} is {value!r}; allowed is a finite number > 0")
+	_checkSize(width, dpi)
 	ground = _checkedNumber(ground, "ground", None)
 	right, up, toward = _viewAxes(view)
 	plane = np.column_stack([right, up])
@@ -383,6 +381,14 @@ def _axisArrows(ax, limits, right, up, toward):
 			ax.text(*(origin + 1.25 * tip), name, ha="center", va="center", fontsize=_fontSize, zorder=4)
 
 
+def _checkSize(width, dpi):
+	for name, value, least in (("width", width, 0), ("dpi", dpi, 1)):
+		if not (isFinite(value) and value > 0 and value >= least):
+			raise ValueError(f"{name} is {value!r}; allowed is a finite number {'>= 1' if least else '> 0'}")
+	if not 16 <= width * dpi <= 30000:
+		raise ValueError(f"width is {width!r} and dpi {dpi!r}, which makes {width * dpi:g} pixels; allowed are 16 to 30000")
+
+
 def _panels(count, columns, width, limits, dpi):
 	"""A figure with `count` equal panels that fit the limits' proportions."""
 	columns = min(columns, count)
@@ -449,6 +455,7 @@ def historyPlot(path, time, histories, title=None, timeRange=None, width=12.0, d
 	time = _array([_sequence(time, "time")], "numbers as time")[0]
 	if not isinstance(histories, dict):
 		raise ValueError(f"histories is {histories!r}; allowed is a dict from name to displacements")
+	_checkSize(width, dpi)
 	arrays = {name: _array(values, f"3 displacements a time as the history of {name!r}") for name, values in histories.items()}
 	if not arrays:
 		raise ValueError("histories is empty; at least one brick is needed")
