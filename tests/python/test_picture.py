@@ -118,7 +118,10 @@ class PictureTest(unittest.TestCase):
 		        (lambda: picture.wallPicture(self.path, good, view="front"), "'front'.*'elevation'"),
 		        (lambda: picture.wallPicture(self.path, good, limits=(1, 0, 0, 1)), "limits"),
 		        (lambda: picture.wallPicture(self.path, good, marks=([(0, 0, 0)], [1, 2])), "1 points"),
-		        (lambda: picture.pictureSeries(self.path, [(0, good, None)], columns=0), "columns is 0")
+		        (lambda: picture.pictureSeries(self.path, [(0, good, None)], columns=0), "columns is 0"),
+		        (lambda: picture.wallPicture(self.path, good, dpi=5e-324), "dpi is 5e-324"),
+		        (lambda: picture.wallPicture(self.path, good, width=1e6), "pixels"),
+		        (lambda: picture.historyPlot(self.path, [0], {"A": [(0, 0, 0)]}, dpi=0), "dpi is 0")
 		):
 			with self.assertRaisesRegex(ValueError, words):
 				call()

@@ -496,6 +496,10 @@ class Refused(Empty):
 		self.refused(["onDemand is {'colour': 3}", 'attributes of DeformationOnDemand', 'colour'], onDemand=dict(colour=3))
 		self.refused(["onDemand is {'level': 3}", 'attributes of DeformationOnDemand'], onDemand=dict(level=3))
 
+	def test_effects_of_no_engines(self):
+		for given in (1, [0.], 'x'):
+			with self.assertRaisesRegex(ValueError, 'engines is .*list of engines'): effects(given)
+
 	def test_functors(self):
 		wall()
 		self.refused(['functors is 3', 'list'], functors=3)

@@ -358,6 +358,27 @@ class OnDemand(unittest.TestCase):
 		while O.time < .2: O.step()
 		self.assertEqual((b.shape.deformation, len(b.shape.displacement)), ('rigid', 0))
 
+	def test_asked_in_the_first_step(self):
+		"""A wall that was brought to rest is loaded: what it changes to then takes its time."""
+		bricks = standingWall(strengths=WEAK)
+		O.engines = O.engines[:4] + [DeformationOnDemand(utilisation=1e-3, interval=1)] + O.engines[4:]
+		weight = sum(b.state.mass for b in bricks) * GRAVITY
+		errors = []
+		for _ in range(200):
+			O.step()
+			errors.append(abs(baseForce() / weight - 1))
+		self.assertGreater(O.engines[4].promoted, 0)
+		self.assertLess(max(errors), POISSON**2)
+
+	def test_a_brick_without_material_is_refused_by_brick_dynamics(self):
+		b = add(3 * (.2,), center=(0, 0, 1), material=material(), contactThickness=2e-3, deformation='rigid')
+		engines()
+		O.engines = O.engines[:3] + [DeformationOnDemand(stress=1, interval=1)] + O.engines[4:]
+		O.dt = 1e-5
+		O.step()
+		b.material = None
+		with self.assertRaisesRegex(ValueError, 'BrickMat'): O.step()
+
 	def test_without_demand_it_is_the_rigid_wall_to_the_last_bit(self):
 		prints = []
 		for before in ([], [DeformationOnDemand()]):
