@@ -218,6 +218,7 @@ void Brick::postLoad(Brick&)
 	if (!moved && level != wanted) beginLevel();
 	checkDeformation(*this);
 	setContactLengths();
+	if (!inside) lastShare = share; // as loaded
 	counted  = false;
 	changing = joints > 0 || !isSettled();
 	// joints and contacts of the first step, before the material is known, must find a deformable brick
@@ -250,9 +251,9 @@ Real Brick::changeTime() const
 
 Real Brick::changeLevel(const BrickMat& material, Real dt, Real duration)
 {
-	const auto part = [&] {
-                const Real whole = std::isnan(duration) ? changeTime() : duration;
-                return whole > dt ? dt / whole : 1;
+	const auto part = [&] { // of the whole change
+		const Real whole = std::isnan(duration) ? changeTime() : duration;
+		return whole > dt ? dt / whole : 1;
 	};
 	Real dropped = 0;
 	innerPart(material);
