@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Bricks fall into a pit, on each other, and come to rest: what testHeap.py (30 bricks of all levels) and slowHeap.py (300 rigid ones) share.
 #
-# Criteria. The ledger closes, and what of it can still become motion (kinetic, elastic, of the heights) only falls, but for what collisions in steps of finite
-# length can add.
+# Criteria. The ledger closes, and what of it can still become motion (kinetic, elastic, of the heights) only falls, but for what contact of edges and corners
+# askew makes: it is not conservative (doc/stability.md), and a step of half the length changes the drift by a hundredth of itself only.
 # After the fall kinetic energy goes to zero without a floor, as dashpots have it: jitter would keep it up. Nothing sinks: the mean height of the
 # bricks stays, within what the remaining velocity moves in the period of the slowest rocking. Nobody has left the pit.
 #
@@ -14,13 +14,15 @@ from hardCase import *
 GROUP = 'A heap of fallen bricks comes to rest'
 SIZES = ((.2, .12, .1), (.16, .16, .1), (.12, .12, .12))
 EVERY = .05  # between looks at the energy [s]
+HN = .3  # damping ratio of contact
+TAKEN = 1 - math.exp(-2 * math.pi * HN / math.sqrt(1 - HN**2))  # of an impact's energy, by its dashpots
 
 
 class Heap(Case):
 
 	def build(self, count, across, levels):
 		"""`count` bricks in layers of across x across above a pit of walls, turned at random; a soft material, whose step is large."""
-		m = material(young=3e6, hn=.3, hs=.3, dampingRatio=.1)
+		m = material(young=3e6, hn=HN, hs=HN, dampingRatio=.1)
 		ground(m)
 		self.half = .145 * across + .05
 		for axis in (0, 1):
@@ -55,7 +57,8 @@ class Heap(Case):
 		looks = self.fall(seconds)
 		lost = looks[0][1] - looks[-1][1]
 		rise = max(b[1] - a[1] for a, b in zip(looks, looks[1:]))
-		self.atMost('largest drift of the ledger, of all that is lost', self.ledger.largest() / lost, .05, 'impacts between two steps of BrickTimeStepper, mean gain 1.04')
+		reason = 'edges and corners askew make up to 5 %% of an impact (testImpact), half the step as much; dashpots take %.0f %% of one' % (100 * TAKEN)
+		self.atMost('largest drift of the ledger, of all that is lost', self.ledger.largest() / lost, .05 / TAKEN, reason)
 		reason = 'it falls; impacts between two steps are not exact'
 		self.atMost('largest rise of energy in %g s, of all that is lost' % EVERY, rise / lost, 1e-3, reason)
 		late = [k for t, _, k, _ in looks if t > seconds - 1]
