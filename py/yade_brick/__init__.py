@@ -36,7 +36,8 @@ def _load():
 _classes = _load()
 globals().update(_classes)
 
-from . import assembly, bill, build, loop, motion, picture, progress, report, rest, snapshot
+from . import arches, assembly, bill, build, joints, loop, mesh, motion, picture, progress, report, rest, snapshot
+from .arches import Arch, Piers, arch, barrelVault, ellipticalLine, pointedLine, segmentalLine, semicircularLine
 from .assembly import assembled
 from .bill import Bill
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
