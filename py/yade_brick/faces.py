@@ -84,6 +84,17 @@ def facing(one, other, near, largestAngle):
 	:param largestAngle: between faces [rad]
 	:returns: Facing
 	"""
+	parts = [_facing(one[some], other[some], near[some], largestAngle, some.start) for some in _portions(len(one))]
+	return Facing(*(np.concatenate(values) for values in zip(*parts)))
+
+
+def _portions(count, size=2000):
+	"""Slices of so many pairs that their arrays stay in the processor's cache."""
+	return [slice(start, start + size) for start in range(0, max(count, 1), size)]
+
+
+def _facing(one, other, near, largestAngle, start):
+	"""Of some pairs, numbered from `start`."""
 	(normals0, points0, areas0), (normals1, points1, areas1) = _planes(one), _planes(other)
 	sums = np.linalg.norm(normals0[:, :, None] + normals1[:, None], axis=3)
 	between = np.einsum("mik,mijk->mij", normals0, points1[:, None] - points0[:, :, None])
@@ -94,7 +105,7 @@ def facing(one, other, near, largestAngle):
 	area, centre = _overlaps(first, second, normal)
 	gap = np.einsum("mk,mk->m", centre - points1[pair, face1], normals1[pair, face1])
 	smaller = np.minimum(areas0[pair, face0], areas1[pair, face1])
-	found = Facing(pair, gap, sums[pair, face0, face1], area, smaller, normal, centre + 0.5 * gap[:, None] * normal)
+	found = Facing(pair + start, gap, sums[pair, face0, face1], area, smaller, normal, centre + 0.5 * gap[:, None] * normal)
 	return found.where((area > 0) & (np.abs(gap) <= near[pair]))
 
 
@@ -159,9 +170,12 @@ def penetrations(one, other, tolerance):
 
 	Two convex solids are apart when a plane along a face of either, or along an edge of both, separates them.
 	"""
-	depth = -np.maximum(_beyondFaces(one, other), _beyondFaces(other, one))
+	parts = [np.maximum(_beyondFaces(one[some], other[some]), _beyondFaces(other[some], one[some])) for some in _portions(len(one))]
+	depth = -np.concatenate(parts)
 	deep = np.flatnonzero(depth > tolerance)
-	depth[deep] = np.minimum(depth[deep], -_beyondEdges(one[deep], other[deep]))
+	for some in _portions(len(deep), 200):
+		chosen = deep[some]
+		depth[chosen] = np.minimum(depth[chosen], -_beyondEdges(one[chosen], other[chosen]))
 	return np.where(depth > tolerance, depth, 0)
 
 
@@ -175,7 +189,7 @@ def _beyondFaces(one, other):
 def _beyondEdges(one, other):
 	"""The same for planes along an edge of each."""
 	edges0, edges1 = (solid[:, _edges[:, 1]] - solid[:, _edges[:, 0]] for solid in (one, other))
-	axes = np.cross(edges0[:, :, None], edges1[:, None]).reshape(len(one), -1, 3)
+	axes = np.cross(edges0[:, :, None], edges1[:, None]).reshape(len(one), 144, 3)
 	lengths = np.linalg.norm(axes, axis=2)
 	longest = (np.linalg.norm(edges0, axis=2).max(axis=1) * np.linalg.norm(edges1, axis=2).max(axis=1))[:, None]
 	axes = axes / np.maximum(lengths, 1e-300)[..., None]
