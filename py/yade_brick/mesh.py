@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Bricks from a mesh file of hexahedra, and back: any format that meshio knows. One cell is one brick; neighbours that share nodes share faces, so
-# MortarJoints joins them. A hexahedron of meshio (as of VTK) has its nodes in the order of Brick.corners, a voxel has it by rows.
+# MortarJoints joins them. A hexahedron of meshio, as of VTK, has its nodes in the order of Brick.corners.
 """Bricks from a mesh file: `readBricks`, `writeBricks`. Lengths in metres."""
 
 import os
@@ -10,9 +10,6 @@ import numpy as np
 
 from .build import brick
 from .checks import isFinite
-
-#: Nodes of a cell in the order of Brick.corners, by meshio's name of the cell.
-nodeOrders = {"hexahedron": (0, 1, 2, 3, 4, 5, 6, 7), "voxel": (0, 1, 3, 2, 4, 5, 7, 6)}
 
 
 @dataclass(frozen=True)
@@ -103,7 +100,8 @@ def writeBricks(path, bodies, scale=1.0, **cellData):
 def _shared(points):
 	"""Points without repetition, and the index of each in them; points that differ in round-off are one."""
 	size = max(np.ptp(points, axis=0).max(), 1e-300)
-	_, first, index = np.unique(np.round((points - points.min(axis=0)) / (1e-9 * size)), axis=0, return_index=True, return_inverse=True)
+	cells = np.round((points - points.min(axis=0)) / (1e-9 * size) + 0.2071)  # no round coordinate is on the edge of a cell
+	_, first, index = np.unique(cells, axis=0, return_index=True, return_inverse=True)
 	return points[first], index.ravel()
 
 
@@ -122,15 +120,14 @@ def _mesh(mesh):
 
 
 def _hexahedra(mesh, scale, others):
-	"""Corners in the order of Brick.corners, as lists of tuples [m], and numbers of the cells."""
+	"""Corners of the cells, as lists of tuples [m], and their numbers."""
 	points = np.asarray(mesh.points, dtype=float) * scale
 	if points.ndim != 2 or points.shape[1] != 3:
 		raise ValueError(f"points of the mesh have {points.shape[-1]} coordinates; allowed are 3")
 	corners, numbers, first = [], [], 0
 	for block in mesh.cells:
-		if block.type in nodeOrders:
-			nodes = np.asarray(block.data)[:, nodeOrders[block.type]]
-			corners += [[tuple(point) for point in cell] for cell in points[nodes].tolist()]
+		if block.type == "hexahedron":
+			corners += [[tuple(point) for point in cell] for cell in points[np.asarray(block.data)].tolist()]
 			numbers += range(first, first + len(block.data))
 		elif others == "refuse" and len(block.data):
 			which = f"cell {first} is a {block.type}" if len(block.data) == 1 else f"cells {first} to {first + len(block.data) - 1} are of type {block.type}"
