@@ -60,25 +60,28 @@ class CurvedLine(NamedTuple):
 
 	def at(self, count, offset=0.0):
 		fine = np.linspace(0, 1, max(20000, 200 * count) + 1)
-		lengths = np.linalg.norm(np.diff(self._points(fine), axis=0), axis=1)
-		along = np.concatenate([[0], np.cumsum(lengths)])
-		places = np.interp(along[-1] * np.linspace(0, 1, count + 1), along, fine)
-		tangents = self._tangents(places)
-		return self._points(places) + offset * np.column_stack([-tangents[:, 1], tangents[:, 0]])
-
-	def _tangents(self, places, step=1e-6):
-		"""Unit tangents; at the ends from points inside alone."""
-		middle = np.clip(places, step, 1 - step)
-		slope = self._points(middle + step) - self._points(middle - step)
-		bend = self._points(middle + step) - 2 * self._points(middle) + self._points(middle - step)
-		slope += 2 * ((places - middle) / step)[:, None] * bend
-		return slope / np.linalg.norm(slope, axis=1, keepdims=True)
+		along = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(self._points(fine), axis=0), axis=1))])
+		onCurve = lambda lengths: self._points(np.interp(lengths, along, fine))
+		lengths = along[-1] * np.linspace(0, 1, count + 1)
+		tangents = _tangents(onCurve, lengths, 1e-5 * along[-1])
+		return onCurve(lengths) + offset * np.column_stack([-tangents[:, 1], tangents[:, 0]])
 
 	def _points(self, places):
 		points = np.array([tuple(self.point(float(place))) for place in places], dtype=float)
 		if points.shape != (len(places), 2) or not np.isfinite(points).all():
 			raise ValueError("line gives something else than two finite coordinates (x, z) somewhere from 0 to 1")
 		return points
+
+
+def _tangents(onCurve, lengths, step):
+	"""Unit tangents of a curve given by its length: those of the circle through three points; at the ends the points are inside."""
+	middle = np.clip(lengths, step, lengths[-1] - step)
+	before, at, after = (onCurve(middle + way) for way in (-step, 0, step))
+	ways = at - before, after - at
+	one, other = (np.linalg.norm(way, axis=1, keepdims=True) for way in ways)
+	into, out = ways[0] / one, ways[1] / other
+	slope = (into * other + out * one) / (one + other) + (lengths - middle)[:, None] * (out - into) * 2 / (one + other)
+	return slope / np.linalg.norm(slope, axis=1, keepdims=True)
 
 
 def semicircularLine(span):
@@ -214,7 +217,8 @@ def arch(line, thickness, depth, voussoirs, lineAt="intrados", abutments="fixed"
 	:param abutments: 'fixed' (a fixed brick that continues the ring beyond each end), Piers, or None
 	:param origin: where x = 0 and z = 0 of the line go, on the side of the lowest y [m]
 	:param azimuth: angle about the vertical through the origin, from x towards y [rad]
-	:param brickOptions: material and the other arguments of `brick`, except size, corners, center, orientation, fixed
+	:param brickOptions: material and the other arguments of `brick`, except size, corners, center, orientation, fixed; segments are 4 or, in a ring that is thin
+		against its bricks' depth, as many as make 3 rows across the thickness: a joint of one row would be a hinge
 	:returns: Arch, one brick in each course
 	:raises ValueError: naming the argument, its value and what is allowed
 	"""
@@ -250,7 +254,8 @@ def _built(line, thickness, patterns, voussoirs, lineAt, abutments, origin, azim
 	inside = 0.0 if lineAt == "intrados" else -0.5 * thickness
 	line = _line(line)
 	inner, outer = line.at(count, inside), line.at(count, inside + thickness)
-	place = _Placing(patterns, origin, azimuth, brickOptions)
+	longest = max(back - front for pattern in patterns for front, back in pattern)
+	place = _Placing(patterns, origin, azimuth, dict(brickOptions, segments=_segments(brickOptions, thickness, max(longest, thickness))))
 	courses = [
 	        place.course(f"voussoir {k}", k, (inner[k], inner[k + 1], outer[k + 1], outer[k])) for k in range(count)
 	]
@@ -261,6 +266,18 @@ def _built(line, thickness, patterns, voussoirs, lineAt, abutments, origin, azim
 	        [place.course(f"right abutment, course {k}", count - 1 + len(right) - k, section, fixed) for k, section in enumerate(right)]
 	)
 	return Arch(tuple(courses), tuple(tuple(side) for side in under))
+
+
+def _segments(options, thickness, longest):
+	"""Segments along the longest edge of a joint, from which the library finds their size in both directions."""
+	given = options.get("segments")
+	if given is None:
+		cells = options.get("cells") or (2 if options.get("deformation") == "refined" else 1)
+		return cells * math.ceil(max(4, 3 * longest / thickness) / cells - 1e-9)
+	if isFinite(given) and round(given * thickness / longest) < 2:
+		needed = math.ceil(1.5 * longest / thickness)
+		raise ValueError(f"segments is {given} in joints of {thickness:g} m by {longest:g} m; allowed are at least {needed}, as one row across the thickness is a hinge")
+	return given
 
 
 class _Placing:
