@@ -153,7 +153,7 @@ def layMortar(bed=None, head=None, collar=None, along=None, up=(0, 0, 1), ids=()
 		now = joinedPairs()
 		laid.update({pair: mortar for pair in now if pair not in before})
 		before = now
-	return _listed({pair: before[pair] for pair in laid}, laid, up, along)
+	return _listed({pair: interaction for pair, interaction in before.items() if pair in laid}, laid, up, along)
 
 
 def listJoints(along=None, up=(0, 0, 1)):
