@@ -141,8 +141,8 @@ class Listing(Scene):
 		self.assertEqual([joint.ids for joint in after], [joint.ids for joint in before])
 		for one, other in zip(before, after):
 			self.assertEqual((one.kind, one.area, one.segments), (other.kind, other.area, other.segments))
-			# weight moves bricks by some micrometres, and piers lean by 0.2 mrad
-			self.assertLess(np.abs(np.subtract(one.centre, other.centre)).max(), 1e-4)
+			# under the weight the piers lean by 0.2 mrad, and the crown sinks by 0.2 mm
+			self.assertLess(np.abs(np.subtract(one.centre, other.centre)).max(), 1e-3)
 			self.assertLess(np.abs(np.subtract(one.normal, other.normal)).max(), 1e-3)
 
 	def test_areas_of_faces_are_those_of_the_segments(self):
