@@ -12,10 +12,10 @@
       |_____|             |_____|  +-> x with. StaticEquilibrium finds the state of rest at once, with all joints holding.
 
 To be seen: what `checkMasonry` and the lists of joints say; that joints at the crown and under the feet balance the weight; and in the pictures the
-largest compression in each brick, which follows the line of thrust: at the crown outside, at the haunches inside, and down the piers.
+largest compression in each brick, which grows from the crown to the springings and is less where the piers are wider.
 
-With --dry, joints bear no tension and have friction alone: StaticEquilibrium is then only where the run begins. Joints open where there was tension, and
-the structure comes to rest anew, in the loop, with damping (some minutes with the vault; the arches take seconds each).
+With --dry, joints bear no tension and have friction alone: StaticEquilibrium is then only where the run begins. Joints open where there was tension
+(marked in the pictures), and the structure comes to rest anew, in the loop, with damping (some minutes with the vault; the arches take seconds each).
 
 Leaves in DIR: a picture of each structure, gallery.png, a list of joints of each as CSV, result.json.
 """
@@ -67,16 +67,18 @@ def build(name, dry):
 
 
 def rest(dry):
-	"""Brings it to rest; how many segments of mortar were beyond their strength."""
+	"""Brings it to rest; how many segments of mortar were beyond their strength, and marks of those that have failed."""
 	settled = yade_brick.StaticEquilibrium()
 	settled()
 	O.step()  # joints' forces are known from now on
+	record = yade_brick.JointRecord()
 	if dry:
 		for _ in range(100):
 			O.run(500, True)
 			if yade_brick.isAtRest(energyRatio=1e-6, imbalance=1e-3):
 				break
-	return settled.overloaded
+	record.update()
+	return settled.overloaded, record.marks()
 
 
 def forceOn(ids, others):
@@ -147,9 +149,16 @@ def judge(name, masonry, joints, check, overloaded, found, dry):
 	return rows
 
 
-def draw(path, name, stresses):
+def draw(path, name, stresses, marks):
 	yade_brick.wallPicture(
-	        path, patches(O.bodies, stresses), view="3d", title=f"{name}, self weight", colorLabel="largest compression [kPa]", colorRange=(0, max(stresses.values()))
+	        path, patches(O.bodies, stresses), marks, view="3d", title=f"{name}, self weight", colorLabel="largest compression [kPa]", colorRange=(0, max(stresses.values()))
+	)
+
+
+def drawAll(path, frames, largest):
+	yade_brick.pictureSeries(
+	        path, frames, view="3d", title="Arches and a vault on piers: self weight", columns=2, rowLabels=("semicircular and segmental", "pointed, and a barrel vault"),
+	        colorLabel="largest compression [kPa]", colorRange=(0, largest)
 	)
 
 
@@ -168,18 +177,18 @@ def main():
 	for name in [chosen.only] if chosen.only else structures:
 		masonry, joints, check = build(name, chosen.dry)
 		print(f"\n{name}\n{check}\n{joints}")
-		overloaded = rest(chosen.dry)
+		overloaded, marks = rest(chosen.dry)
 		found = statics(masonry)
 		file = name.replace(" ", "-")
 		joints.now().writeCsv(os.path.join(chosen.out, f"{file}-joints.csv"))
 		stresses = compression(masonry.bodies)
-		draw(os.path.join(chosen.out, f"{file}.png"), name, stresses)
-		frames.append((None, patches(O.bodies, stresses), None))
+		draw(os.path.join(chosen.out, f"{file}.png"), name, stresses, marks)
+		frames.append((None, patches(O.bodies, stresses), marks))
 		facts[name] = dict(found, overloaded=overloaded, largestCompression=1e3 * max(stresses.values()), failed=sum(joint.failed for joint in joints.now()))
 		rows += judge(name, masonry, joints, check, overloaded, found, chosen.dry)
-		print(f"thrust {found['thrust'] / 1e3:.2f} kN, {100 * found['thrust'] / found['weight']:.1f} % of the weight; {overloaded} segments beyond their strength")
+		print(f"thrust {found['thrust'] / 1e3:.2f} kN, {100 * found['thrust'] / found['weight']:.1f} % of the weight; {overloaded} segments beyond their strength, {facts[name]['failed']} failed")
 	if len(frames) > 1:
-		yade_brick.pictureSeries(os.path.join(chosen.out, "gallery.png"), frames, view="3d", title="Self weight of arches and a vault", columns=2, colorLabel="largest compression [kPa]")
+		drawAll(os.path.join(chosen.out, "gallery.png"), frames, 1e-3 * max(fact["largestCompression"] for fact in facts.values()))
 	report.writeResult(chosen.out, rows, structures=facts, dry=chosen.dry)
 	print("\n" + report.table(rows, title=f"Results in {chosen.out}"))
 	sys.exit(report.exitStatus(rows))
