@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from .checks import isFinite
 from .snapshot import numbers
 from .solids import Solids, nearShare, touchAngle
 
@@ -124,8 +125,8 @@ def layMortar(bed=None, head=None, collar=None, along=None, up=(0, 0, 1), ids=()
 	Pairs that are joined already stay as they are. Bricks whose material has no mortar get joints only where mortar is given here.
 
 	:param bed: Mortar of the faces within 45 degrees of the vertical, either way; None: that of the bricks' materials
-	:param head: Mortar of all other faces; None: that of the materials; False: none, head joints are dry
-	:param collar: Mortar of upright faces along the wall, between its leaves, likewise, which needs `along`; None: that of head joints
+	:param head: Mortar of all other faces; None: that of the materials; False: none, these joints are dry
+	:param collar: Mortar of upright faces along the wall, between its leaves, or False, which needs `along`; None: these are as head joints
 	:param along: direction of the wall's length, to tell head from collar joints; None: upright joints are all head joints
 	:param up: the vertical
 	:param ids: only joints between these bodies; empty: all
@@ -140,15 +141,17 @@ def layMortar(bed=None, head=None, collar=None, along=None, up=(0, 0, 1), ids=()
 		_checkMortar(name, mortar, allowed)
 	if collar is not None and along is None:
 		raise ValueError(f"collar is {collar!r} and along is None; allowed with a mortar for collar joints is a direction of the wall's length")
+	if tolerance is not None and not (isFinite(tolerance) and tolerance >= 0):
+		raise ValueError(f"tolerance is {tolerance!r}; allowed is a finite length >= 0 m, or None")
 	options = dict(ids=[int(id) for id in ids], tolerance=math.nan if tolerance is None else tolerance)
 	calls = [(bed, dict(normal=tuple(up)))]
-	if collar is not None or head is False and along is not None:
+	if collar is not None:
 		calls.append((collar, dict(normal=tuple(np.cross(up, along)))))
-	calls.append((head, {}))
+	calls.append((head, dict(normal=tuple(along)) if collar is False else {}))  # what is left; not the collar joints if they are to be dry
 	laid, before = {}, joinedPairs()
 	for mortar, direction in calls:
 		if mortar is False:
-			break
+			continue
 		MortarJoints(mortar=mortar, **direction, **options)()
 		now = joinedPairs()
 		laid.update({pair: mortar for pair in now if pair not in before})
@@ -257,10 +260,16 @@ def _placesOf(interactions):
 			places[pair] = tuple(sign * value + 0.0 for value in numbers(geom.normal)), numbers(geom.contactPoint)
 		else:
 			unknown.append(pair)
-	if unknown:
-		solids = Solids()
-		indices = np.array([[solids.place[id] for id in pair] for pair in unknown])
-		found = solids.facing(indices, nearShare * solids.edge[indices].min(axis=1), touchAngle).largestOfEachPair()
-		places.update({unknown[k]: (tuple(normal), tuple(centre)) for k, normal, centre in zip(found.pair, (found.normal + 0.0).tolist(), found.centre.tolist())})
+	for share in (nearShare, 1):  # nearly always the first finds all
+		unknown = [pair for pair in unknown if pair not in places]
+		places.update(_placesOfFaces(unknown, share) if unknown else {})
 	nowhere = (math.nan, ) * 3
 	return [places.get(pair, (nowhere, nowhere)) for pair in interactions]
+
+
+def _placesOfFaces(pairs, share):
+	"""(normal, centre) by pair where faces are no farther apart than a share of the smaller brick's shortest edge."""
+	solids = Solids()
+	indices = np.array([[solids.place[id] for id in pair] for pair in pairs])
+	found = solids.facing(indices, share * solids.edge[indices].min(axis=1), touchAngle).largestOfEachPair()
+	return {pairs[k]: (tuple(normal), tuple(centre)) for k, normal, centre in zip(found.pair, (found.normal + 0.0).tolist(), found.centre.tolist())}

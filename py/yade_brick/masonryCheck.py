@@ -137,7 +137,8 @@ class MasonryCheck:
 
 def checkMasonry(nearGap=None, smallShare=0.02, tolerance=None):
 	"""Checks the bricks of the scene, before or after mortar was laid: bricks and groups of bricks that touch no support, bodies that overlap, faces that
-	nearly touch but are too far apart for MortarJoints, faces that touch over a tiny area. Pairs that mortar joins are taken as right.
+	nearly touch but are too far apart for MortarJoints, faces that touch over a tiny area. Pairs that mortar joins are not
+	asked for gaps and overlaps.
 
 	Meant for a scene as it was built; in one that has moved, contacts under load overlap a little.
 
@@ -147,40 +148,73 @@ def checkMasonry(nearGap=None, smallShare=0.02, tolerance=None):
 	:returns: MasonryCheck
 	:raises ValueError: naming the argument, its value and what is allowed
 	"""
-	for name, value, holds, allowed in (
-	        ("nearGap", nearGap, lambda gap: gap > 0, "a finite length > 0 m, or None"), ("tolerance", tolerance, lambda gap: gap >= 0, "a finite length >= 0 m, or None"),
-	        ("smallShare", smallShare, lambda share: 0 <= share <= 1, "a number in [0, 1]")
-	):
-		if not (value is None and name != "smallShare") and not (isFinite(value) and holds(value)):
-			raise ValueError(f"{name} is {value!r}; allowed is {allowed}")
-	solids = Solids()
-	near = nearShare * solids.edge if nearGap is None else np.full(len(solids.ids), float(nearGap))
-	limit = touchShare * solids.diagonal if tolerance is None else np.full(len(solids.ids), float(tolerance))
-	pairs, joined = solids.nearPairs(near), joinedPairs()
-	isJoined = np.array([tuple(pair) in joined for pair in solids.ids[pairs].tolist()], dtype=bool)
-	near, limit = near[pairs].min(axis=1), limit[pairs].min(axis=1)
-	found, depth = solids.facing(pairs, np.maximum(near, limit), nearAngle), solids.penetrations(pairs, limit)
-	closed = found.where((found.angle <= touchAngle) & (np.abs(found.gap) <= limit[found.pair]) & (found.area > limit[found.pair] * np.sqrt(found.smaller)))
-	closed = closed.largestOfEachPair()
-	depth = np.where(isJoined, 0, depth)
-	tiny = closed.where(closed.area < smallShare * closed.smaller)
-	apart = found.where((found.gap >= -limit[found.pair]) & (found.area > max(smallShare, 1e-6) * found.smaller))
-	apart = apart.where(~np.isin(apart.pair, closed.pair) & ~isJoined[apart.pair] & (depth[apart.pair] == 0)).largestOfEachPair()
-	touching = np.unique(np.concatenate([pairs[closed.pair], [[solids.place[id] for id in pair] for pair in joined] or np.empty((0, 2), dtype=int)]), axis=0)
-	named = lambda pair: tuple(solids.ids[pairs[pair]].tolist())
+	_checkNumber("nearGap", nearGap, lambda gap: gap is None or isFinite(gap) and gap > 0, "a finite length > 0 m, or None")
+	_checkNumber("smallShare", smallShare, lambda share: isFinite(share) and 0 <= share <= 1, "a number in [0, 1]")
+	_checkNumber("tolerance", tolerance, lambda gap: gap is None or isFinite(gap) and gap >= 0, "a finite length >= 0 m, or None")
+	solids, joined = Solids(), joinedPairs()
+	near = _Neighbours(solids, joined, nearGap, tolerance)
+	touching = np.concatenate([near.pairs[near.closed.pair], np.array([[solids.place[id] for id in pair] for pair in joined], dtype=int).reshape(-1, 2)])
 	return MasonryCheck(
-	        int((solids.bricks & ~solids.held).sum()), len(set(solids.ids[solids.held])), len(np.unique(np.sort(solids.ids[touching], axis=1), axis=0)), len(joined),
-	        _loose(solids, touching),
-	        tuple(Overlap(named(pair), float(depth[pair]), _middle(solids.corners[pairs[pair]])) for pair in np.flatnonzero(depth)),
-	        tuple(
-	                Gap(named(pair), float(gap), float(angle), float(limit[pair]), tuple(centre))
-	                for pair, gap, angle, centre in zip(apart.pair, apart.gap, apart.angle, apart.centre.tolist())
-	        ),
-	        tuple(
-	                TinyJoint(named(pair), float(area), float(area / smaller), tuple(centre))
-	                for pair, area, smaller, centre in zip(tiny.pair, tiny.area, tiny.smaller, tiny.centre.tolist())
-	        )
+	        bricks=int((solids.bricks & ~solids.held).sum()), supports=len(set(solids.ids[solids.held])),
+	        touching=len(np.unique(np.sort(solids.ids[touching], axis=1), axis=0)), joined=len(joined),
+	        loose=_loose(solids, touching), overlaps=near.overlaps(), gaps=near.gaps(smallShare), tinyJoints=near.tinyJoints(smallShare)
 	)
+
+
+def _checkNumber(name, value, holds, allowed):
+	if not holds(value):
+		raise ValueError(f"{name} is {value!r}; allowed is {allowed}")
+
+
+class _Neighbours:
+	"""Pairs of bodies whose boxes are near each other, and what their faces do.
+
+	:param pairs: (m, 2) indices of solids
+	:param limit: (m,) largest gap or overlap of faces that touch [m]
+	:param joined: (m,) whether mortar joins them
+	:param facing: faces.Facing of all that are near
+	:param closed: of those that touch, the largest of each pair
+	:param depth: (m,) of overlaps beyond the limit of pairs that are not joined, else 0 [m]
+	"""
+
+	def __init__(self, solids, joined, nearGap, tolerance):
+		near = nearShare * solids.edge if nearGap is None else np.full(len(solids.ids), float(nearGap))
+		limit = touchShare * solids.diagonal if tolerance is None else np.full(len(solids.ids), float(tolerance))
+		near = np.maximum(near, limit)
+		self.solids, self.pairs = solids, solids.nearPairs(near)
+		self.limit = limit[self.pairs].min(axis=1)
+		self.joined = np.array([tuple(pair) in joined for pair in solids.ids[self.pairs].tolist()], dtype=bool)
+		self.facing = found = solids.facing(self.pairs, near[self.pairs].min(axis=1), nearAngle)
+		limits = self.limit[found.pair]
+		touch = (found.angle <= touchAngle) & (np.abs(found.gap) <= limits) & (found.area > limits * np.sqrt(found.smaller))
+		self.closed = found.where(touch).largestOfEachPair()
+		self.depth = np.where(self.joined, 0, solids.penetrations(self.pairs, self.limit))
+
+	def overlaps(self):
+		return tuple(
+		        Overlap(self._ids(pair), float(self.depth[pair]), _middle(self.solids.corners[self.pairs[pair]])) for pair in np.flatnonzero(self.depth)
+		)
+
+	def gaps(self, smallShare):
+		found = self.facing
+		apart = found.where((found.gap >= -self.limit[found.pair]) & (found.area > max(smallShare, 1e-6) * found.smaller))
+		settled = self.joined | (self.depth > 0)
+		settled[self.closed.pair] = True
+		apart = apart.where(~settled[apart.pair]).largestOfEachPair()
+		return tuple(
+		        Gap(self._ids(pair), float(gap), float(angle), float(self.limit[pair]), tuple(centre))
+		        for pair, gap, angle, centre in zip(apart.pair, apart.gap, apart.angle, apart.centre.tolist())
+		)
+
+	def tinyJoints(self, smallShare):
+		tiny = self.closed.where(self.closed.area < smallShare * self.closed.smaller)
+		return tuple(
+		        TinyJoint(self._ids(pair), float(area), float(area / smaller), tuple(centre))
+		        for pair, area, smaller, centre in zip(tiny.pair, tiny.area, tiny.smaller, tiny.centre.tolist())
+		)
+
+	def _ids(self, pair):
+		return tuple(self.solids.ids[self.pairs[pair]].tolist())
 
 
 def _loose(solids, touching):

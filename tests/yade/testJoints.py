@@ -81,16 +81,24 @@ class Laying(Scene):
 		self.assertEqual(len(listJoints().ofKind('head')), 14)
 		self.assertEqual(len(listJoints(along=(0, 3, 0)).ofKind('head')), 6)
 
-	def test_head_joints_may_be_dry(self):
-		self.ground()
-		self.wall()
-		laid = layMortar(head=False)
-		self.assertEqual((len(laid), len(laid.ofKind('bed'))), (15, 15))
-		O.reset()
-		for y in (0, SIDE):
-			O.bodies.append(straightJointWall(3, 2, (SIDE, SIDE, SIDE), origin=(0, y, 0), material=self.clay, deformation='rigid').bodies)
-		laid = layMortar(head=False, collar=mortar(2), along=(1, 0, 0))
-		self.assertEqual([len(laid.ofKind(kind)) for kind in ('bed', 'head', 'collar')], [6, 0, 6])
+	def test_head_and_collar_joints_may_be_dry(self):
+		for given, expected in (
+		        (dict(head=False), [6, 0, 0]), (dict(head=False, along=(1, 0, 0)), [6, 0, 0]), (dict(head=False, collar=mortar(2), along=(1, 0, 0)), [6, 0, 6]),
+		        (dict(collar=False, along=(1, 0, 0)), [6, 8, 0]), (dict(head=mortar(3), collar=False, along=(0, -2, 0)), [6, 6, 0])
+		):
+			O.reset()
+			for y in (0, SIDE):
+				O.bodies.append(straightJointWall(3, 2, (SIDE, SIDE, SIDE), origin=(0, y, 0), material=self.clay, deformation='rigid').bodies)
+			laid = layMortar(**given)
+			self.assertEqual([len(laid.ofKind(kind)) for kind in ('bed', 'head', 'collar')], expected)
+			self.assertEqual(len(listJoints()), sum(expected))
+
+	def test_a_wide_gap_that_counts_as_closed_has_a_place(self):
+		self.cube(0, 0, 0), self.cube(0, 0, 1.4 * SIDE)
+		joint, = layMortar(tolerance=.5 * SIDE)
+		self.assertEqual((joint.kind, joint.normal), ('bed', (0, 0, 1)))
+		self.assertAlmostEqual(joint.centre[2], .7 * SIDE, delta=1e-14)
+		self.assertEqual(checkMasonry(tolerance=.5 * SIDE).gaps, ())
 
 	def test_up_and_ids_and_tolerance_reach_mortar_joints(self):
 		self.cube(0, 0, 0), self.cube(SIDE, 0, 0), self.cube(2 * SIDE + 1e-5, 0, 0)
@@ -101,6 +109,7 @@ class Laying(Scene):
 		self.wall(2, 1)
 		self.refused('bed is 5', lambda: layMortar(bed=5))
 		self.refused('bed is False', lambda: layMortar(bed=False))
+		self.refused('tolerance is -1', lambda: layMortar(tolerance=-1))
 		self.refused('along is None', lambda: layMortar(collar=mortar()))
 		self.refused('not upright', lambda: layMortar(along=(0, 0, 1)))
 		self.refused('up is', lambda: layMortar(up=(0, 0, 0)))
