@@ -36,7 +36,8 @@ def readBricks(mesh, material, groupBy=None, fixed=(), scale=1.0, others="refuse
 
 	:param mesh: file in a format that meshio reads (.vtu, .vtk, .msh, .inp, .xdmf, ...), or a meshio.Mesh
 	:param material: BrickMat, or its id or label; or a dict from each value of the cell data to one
-	:param groupBy: name of the cell data, whole numbers or texts, by which bricks are grouped, such as 'gmsh:physical'; None: no groups
+	:param groupBy: name of the cell data, whole numbers or texts, by which bricks are grouped, such as 'gmsh:physical'; 'sets' for the names of the sets of
+		cells that a file has instead, such as ELSETs of Abaqus; None: no groups
 	:param fixed: values of that cell data whose bricks are supports that do not move; True: all are
 	:param scale: metres in a unit of the file, > 0: 0.001 for millimetres
 	:param others: 'refuse' a mesh with cells that are no hexahedra, or 'skip' them, as the points, lines and faces that mesh generators leave
@@ -142,8 +143,11 @@ def _groupValues(mesh, groupBy, cells):
 	"""Value of each of the cells, or None."""
 	if groupBy is None:
 		return None
+	if groupBy not in mesh.cell_data and groupBy == "sets" and mesh.cell_sets:
+		return _setNames(mesh, cells)
 	if groupBy not in mesh.cell_data:
-		raise ValueError(f"groupBy is {groupBy!r}; the mesh has the cell data {', '.join(map(repr, mesh.cell_data)) or 'of no name'}")
+		there = list(mesh.cell_data) + (["sets"] if mesh.cell_sets else [])
+		raise ValueError(f"groupBy is {groupBy!r}; the mesh has {'the cell data ' + ', '.join(map(repr, there)) if there else 'neither cell data nor sets of cells'}")
 	values = [value for block in mesh.cell_data[groupBy] for value in np.asarray(block).tolist()]
 	values = [int(value) if isinstance(value, float) and value.is_integer() else value for value in values]
 	chosen = [values[cell] for cell in cells]
@@ -151,6 +155,20 @@ def _groupValues(mesh, groupBy, cells):
 	if wrong:
 		raise ValueError(f"cell data {groupBy!r} has the value {wrong[0]!r}; allowed are whole numbers and texts")
 	return chosen
+
+
+def _setNames(mesh, cells):
+	"""Name of the set of each of the cells."""
+	names, first = {}, 0
+	for block, data in enumerate(mesh.cells):
+		for name, members in mesh.cell_sets.items():
+			for cell in np.asarray(members[block] if members[block] is not None else [], dtype=int).tolist():
+				names.setdefault(first + cell, []).append(name)
+		first += len(data.data)
+	for cell in cells:
+		if len(names.get(cell, ())) != 1:
+			raise ValueError(f"cell {cell} is in {'the sets ' + ', '.join(map(repr, names[cell])) if cell in names else 'no set'}; allowed with groupBy='sets' is one")
+	return [names[cell][0] for cell in cells]
 
 
 def _checkValues(name, given, values, all=False):

@@ -100,6 +100,21 @@ class MeshCase(unittest.TestCase):
 			bricks = readBricks(path, adobe(), groupBy='gmsh:physical', fixed=[4], others='skip')
 		self.assertEqual((list(bricks.groups), bricks.cells, [b.dynamic for b in bricks.bodies]), ([4, 6], (1, 2), [False, True]))
 
+	def test_sets_of_cells_are_groups(self):
+		nodes = ['%d, %g, %g, %g' % (k + 1, *x) for k, x in enumerate(cubes(3).points)]
+		elements = ['%d, ' % (k + 1) + ', '.join(str(8 * k + node + 1) for node in range(8)) for k in range(3)]
+		lines = ['*NODE', *nodes, '*ELEMENT, TYPE=C3D8', *elements, '*ELSET, ELSET=pier', '1, 3', '*ELSET, ELSET=arch', '2']
+		with tempfile.TemporaryDirectory() as folder:
+			path = os.path.join(folder, 'part.inp')
+			read = lambda: readBricks(path, {'pier': adobe(), 'arch': adobe()}, groupBy='sets', fixed=['pier'])
+			for text, words in ((lines[:-2], 'cell 1 is in no set'), (lines + ['*ELSET, ELSET=all', '1, 2, 3'], 'cell 0 is in the sets'), (lines, None)):
+				with open(path, 'w') as file:
+					file.write('\n'.join(text) + '\n')
+				if words: self.refused(words, read)
+			bricks = read()
+		self.assertEqual([b.dynamic for b in bricks.bodies], [False, True, False])
+		self.assertEqual({name: len(group) for name, group in bricks.groups.items()}, {'arch': 1, 'pier': 2})
+
 	def test_cells_that_are_no_hexahedra_are_refused_or_left_out(self):
 		mesh = cubes(2)
 		mixed = meshio.Mesh(mesh.points, [('quad', np.array([[0, 1, 2, 3]])), mesh.cells[0], ('tetra', np.array([[0, 1, 2, 4], [1, 2, 3, 5]]))], cell_data={'part': [[7], [5, 6], [8, 9]]})
@@ -126,6 +141,7 @@ class MeshCase(unittest.TestCase):
 		for scale in (0, -1, float('nan'), '1'):
 			self.refused('scale is', lambda: readBricks(mesh, m, scale=scale))
 		self.refused("others is 'keep'", lambda: readBricks(mesh, m, others='keep'))
+		self.refused("groupBy is 'sets'; the mesh has neither", lambda: readBricks(cubes(1), m, groupBy='sets'))
 		self.refused("groupBy is 'color'; the mesh has the cell data 'part'", lambda: readBricks(mesh, m, groupBy='color'))
 		self.refused('material lacks 2', lambda: readBricks(mesh, {1: m}, groupBy='part'))
 		self.refused('material has 3', lambda: readBricks(mesh, {1: m, 2: m, 3: m}, groupBy='part'))
