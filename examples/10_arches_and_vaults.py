@@ -151,14 +151,15 @@ def judge(name, masonry, joints, check, overloaded, found, dry):
 
 def draw(path, name, stresses, marks):
 	yade_brick.wallPicture(
-	        path, patches(O.bodies, stresses), marks, view="3d", title=f"{name}, self weight", colorLabel="largest compression [kPa]", colorRange=(0, max(stresses.values()))
+	        path, patches(O.bodies, stresses), marks, view="3d", title=f"{name}, self weight", colorLabel="largest compression [kPa]",
+	        colorRange=(0, max(stresses.values()))
 	)
 
 
 def drawAll(path, frames, largest):
 	yade_brick.pictureSeries(
-	        path, frames, view="3d", title="Arches and a vault on piers: self weight", columns=2, rowLabels=("semicircular and segmental", "pointed, and a barrel vault"),
-	        colorLabel="largest compression [kPa]", colorRange=(0, largest)
+	        path, frames, view="3d", title="Arches and a vault on piers: self weight", columns=2,
+	        rowLabels=("semicircular and segmental", "pointed, and a barrel vault"), colorLabel="largest compression [kPa]", colorRange=(0, largest)
 	)
 
 
@@ -186,7 +187,8 @@ def main():
 		frames.append((None, patches(O.bodies, stresses), marks))
 		facts[name] = dict(found, overloaded=overloaded, largestCompression=1e3 * max(stresses.values()), failed=sum(joint.failed for joint in joints.now()))
 		rows += judge(name, masonry, joints, check, overloaded, found, chosen.dry)
-		print(f"thrust {found['thrust'] / 1e3:.2f} kN, {100 * found['thrust'] / found['weight']:.1f} % of the weight; {overloaded} segments beyond their strength, {facts[name]['failed']} failed")
+		print(f"thrust {found['thrust'] / 1e3:.2f} kN, {100 * found['thrust'] / found['weight']:.1f} % of the weight")
+		print(f"{overloaded} segments beyond their strength, {facts[name]['failed']} failed")
 	if len(frames) > 1:
 		drawAll(os.path.join(chosen.out, "gallery.png"), frames, 1e-3 * max(fact["largestCompression"] for fact in facts.values()))
 	report.writeResult(chosen.out, rows, structures=facts, dry=chosen.dry)

@@ -217,8 +217,8 @@ def arch(line, thickness, depth, voussoirs, lineAt="intrados", abutments="fixed"
 	:param abutments: 'fixed' (a fixed brick that continues the ring beyond each end), Piers, or None
 	:param origin: where x = 0 and z = 0 of the line go, on the side of the lowest y [m]
 	:param azimuth: angle about the vertical through the origin, from x towards y [rad]
-	:param brickOptions: material and the other arguments of `brick`, except size, corners, center, orientation, fixed; segments are 4 or, in a ring that is thin
-		against its bricks' depth, as many as make 3 rows across the thickness: a joint of one row would be a hinge
+	:param brickOptions: material and the other arguments of `brick`, except size, corners, center, orientation, fixed; segments are 4 or, in a ring that is
+		thin against its bricks' depth, as many as make 3 rows across the thickness: a joint of one row would be a hinge
 	:returns: Arch, one brick in each course
 	:raises ValueError: naming the argument, its value and what is allowed
 	"""
@@ -276,7 +276,9 @@ def _segments(options, thickness, longest):
 		return cells * math.ceil(max(4, 3 * longest / thickness) / cells - 1e-9)
 	if isFinite(given) and round(given * thickness / longest) < 2:
 		needed = math.ceil(1.5 * longest / thickness)
-		raise ValueError(f"segments is {given} in joints of {thickness:g} m by {longest:g} m; allowed are at least {needed}, as one row across the thickness is a hinge")
+		raise ValueError(
+		        f"segments is {given} for joints of {thickness:g} m by {longest:g} m; allowed are at least {needed}, as one row across the ring is a hinge"
+		)
 	return given
 
 
@@ -345,7 +347,7 @@ def _pier(end, over, height, courses, width):
 	"""Rectangles, and on top the springer, left of the inner face."""
 	springer = end[0] - over[0]
 	if not (springer > 0 and over[1] >= end[1] - 1e-6 * springer):
-		raise ValueError(f"abutments are Piers, but the left springing joint goes from {tuple(end)} to {tuple(over)} (x, z); allowed are joints that rise outwards")
+		raise ValueError(f"abutments are Piers, but the springing joint goes from {tuple(end)} to {tuple(over)} (x, z); allowed are joints that rise outwards")
 	each, outside = height / courses, end[0] - (springer if width is None else width)
 	levels = [end[1] - height + k * each for k in range(courses - 1)] + [end[1] - each]
 	sections = [((outside, low), (end[0], low), (end[0], high), (outside, high)) for low, high in zip(levels[:-1], levels[1:])]

@@ -92,7 +92,8 @@ class TinyJoint(NamedTuple):
 	centre: tuple
 
 	def __str__(self):
-		return f"faces of #{self.ids[0]} and #{self.ids[1]} touch over {1e4 * self.area:.3g} cm2 only, {100 * self.share:.2g} % of the smaller one, {_at(self.centre)}"
+		share = f"{100 * self.share:.2g} % of the smaller one"
+		return f"faces of #{self.ids[0]} and #{self.ids[1]} touch over {1e4 * self.area:.3g} cm2 only, {share}, {_at(self.centre)}"
 
 
 @dataclass(frozen=True)

@@ -147,7 +147,8 @@ def _groupValues(mesh, groupBy, cells):
 		return _setNames(mesh, cells)
 	if groupBy not in mesh.cell_data:
 		there = list(mesh.cell_data) + (["sets"] if mesh.cell_sets else [])
-		raise ValueError(f"groupBy is {groupBy!r}; the mesh has {'the cell data ' + ', '.join(map(repr, there)) if there else 'neither cell data nor sets of cells'}")
+		allowed = f"the cell data {', '.join(map(repr, there))}" if there else "neither cell data nor sets of cells"
+		raise ValueError(f"groupBy is {groupBy!r}; the mesh has {allowed}")
 	values = [value for block in mesh.cell_data[groupBy] for value in np.asarray(block).tolist()]
 	values = [int(value) if isinstance(value, float) and value.is_integer() else value for value in values]
 	chosen = [values[cell] for cell in cells]
@@ -167,7 +168,8 @@ def _setNames(mesh, cells):
 		first += len(data.data)
 	for cell in cells:
 		if len(names.get(cell, ())) != 1:
-			raise ValueError(f"cell {cell} is in {'the sets ' + ', '.join(map(repr, names[cell])) if cell in names else 'no set'}; allowed with groupBy='sets' is one")
+			found = f"the sets {', '.join(map(repr, names[cell]))}" if cell in names else "no set"
+			raise ValueError(f"cell {cell} is in {found}; allowed with groupBy='sets' is one")
 	return [names[cell][0] for cell in cells]
 
 

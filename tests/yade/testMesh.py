@@ -93,7 +93,8 @@ class MeshCase(unittest.TestCase):
 
 	def test_physical_groups_of_gmsh_are_groups(self):
 		mesh = cubes(2)
-		volumes = meshio.Mesh(mesh.points, [('quad', np.array([[0, 1, 2, 3]])), *mesh.cells], cell_data={'gmsh:physical': [[9], [4, 6]], 'gmsh:geometrical': [[1], [1, 1]]})
+		data = {'gmsh:physical': [[9], [4, 6]], 'gmsh:geometrical': [[1], [1, 1]]}
+		volumes = meshio.Mesh(mesh.points, [('quad', np.array([[0, 1, 2, 3]])), *mesh.cells], cell_data=data)
 		with tempfile.TemporaryDirectory() as folder:
 			path = os.path.join(folder, 'part.msh')
 			meshio.write(path, volumes, file_format='gmsh22')
@@ -117,7 +118,8 @@ class MeshCase(unittest.TestCase):
 
 	def test_cells_that_are_no_hexahedra_are_refused_or_left_out(self):
 		mesh = cubes(2)
-		mixed = meshio.Mesh(mesh.points, [('quad', np.array([[0, 1, 2, 3]])), mesh.cells[0], ('tetra', np.array([[0, 1, 2, 4], [1, 2, 3, 5]]))], cell_data={'part': [[7], [5, 6], [8, 9]]})
+		quad, tetra = ('quad', np.array([[0, 1, 2, 3]])), ('tetra', np.array([[0, 1, 2, 4], [1, 2, 3, 5]]))
+		mixed = meshio.Mesh(mesh.points, [quad, mesh.cells[0], tetra], cell_data={'part': [[7], [5, 6], [8, 9]]})
 		self.refused('cell 0 is a quad', lambda: readBricks(mixed, adobe()))
 		tail = meshio.Mesh(mesh.points, mixed.cells[1:])
 		self.refused('cells 2 to 3 are of type tetra', lambda: readBricks(tail, adobe()))
