@@ -272,9 +272,11 @@ def _segments(options, thickness, longest):
 	"""Segments along the longest edge of a joint, from which the library finds their size in both directions."""
 	given = options.get("segments")
 	if given is None:
-		cells = options.get("cells") or (2 if options.get("deformation") == "refined" else 1)
+		cells = options.get("cells", 2 if options.get("deformation") == "refined" else 1)
+		if not isinstance(cells, int) or cells < 1:
+			return 4  # which brick() refuses, as the cells
 		return cells * math.ceil(max(4, 3 * longest / thickness) / cells - 1e-9)
-	if isFinite(given) and round(given * thickness / longest) < 2:
+	if isFinite(given) and given * thickness / longest < 1.5:
 		needed = math.ceil(1.5 * longest / thickness)
 		raise ValueError(
 		        f"segments is {given} for joints of {thickness:g} m by {longest:g} m; allowed are at least {needed}, as one row across the ring is a hinge"

@@ -158,7 +158,7 @@ def checkMasonry(nearGap=None, smallShare=0.02, tolerance=None):
 	return MasonryCheck(
 	        bricks=int((solids.bricks & ~solids.held).sum()), supports=len(set(solids.ids[solids.held])),
 	        touching=len(np.unique(np.sort(solids.ids[touching], axis=1), axis=0)), joined=len(joined),
-	        loose=_loose(solids, touching), overlaps=near.overlaps(), gaps=near.gaps(smallShare), tinyJoints=near.tinyJoints(smallShare)
+	        loose=_loose(solids, np.concatenate([touching, near.pairs[near.depth > 0]])), overlaps=near.overlaps(), gaps=near.gaps(smallShare), tinyJoints=near.tinyJoints(smallShare)
 	)
 
 
@@ -219,7 +219,7 @@ class _Neighbours:
 
 
 def _loose(solids, touching):
-	"""Groups of bricks without a support among them, by the lowest id in each."""
+	"""Groups of bricks without a support among them, by the lowest id in each; `touching` (k, 2) are pairs of solids."""
 	count = len(solids.ids)
 	_, group = connected_components(coo_matrix((np.ones(len(touching)), (touching[:, 0], touching[:, 1])), shape=(count, count)), directed=False)
 	supported = np.zeros(count, dtype=bool)

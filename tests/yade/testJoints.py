@@ -274,7 +274,7 @@ class Checking(Scene):
 			overlap, = check.overlaps
 			self.assertEqual(overlap.ids, (1, 2))
 			self.assertAlmostEqual(overlap.depth, depth, delta=1e-13)
-			self.assertEqual(check.gaps, ())
+			self.assertEqual((check.gaps, check.loose), ((), ()))
 			self.assertIn('overlap by', str(check))
 		# a wall and a box are met like bricks; so are bricks whose edges cross
 		O.reset()
