@@ -36,11 +36,15 @@ def _load():
 _classes = _load()
 globals().update(_classes)
 
-from . import assembly, bill, build, loop, motion, picture, progress, report, rest, snapshot
+from . import arches, assembly, bill, build, faces, joints, loop, masonryCheck, mesh, motion, picture, progress, report, rest, snapshot, solids
+from .arches import Arch, Piers, arch, barrelVault, ellipticalLine, pointedLine, segmentalLine, semicircularLine
 from .assembly import assembled
 from .bill import Bill
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
+from .joints import JointList, layMortar, listJoints
 from .loop import Loop, effects, engines
+from .masonryCheck import MasonryCheck, checkMasonry
+from .mesh import MeshBricks, readBricks, writeBricks
 from .motion import Motion, readAt2, readColumns, syntheticNearFault
 from .picture import historyPlot, pictureSeries, wallPicture
 from .progress import runWithProgress
