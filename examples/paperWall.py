@@ -55,7 +55,7 @@ def options(description, out, given=None):
 	parser.add_argument("--duration", type=float, default=10, help="seconds of shaking (default: 10)")
 	parser.add_argument("--settle", choices=("static", "damped"), default="static", help="self weight by a static solution, or in time with damping")
 	parser.add_argument("--thickness", type=float, default=0.001, help="thickness r of the contact part [m] (default: 0.001)")
-	parser.add_argument("--segments", type=int, default=4, help="segments along each edge of a face (default: 4)")
+	parser.add_argument("--segments", type=int, default=4, help="segments along each edge of a face, see Brick (default: 4)")
 	parser.add_argument("--young", type=float, default=9.8e6, help="Young's modulus of bricks and mortar [Pa] (default: 9.8e6)")
 	parser.add_argument("--poisson", type=float, default=0.25, help="Poisson's ratio of bricks and mortar (default: 0.25)")
 	parser.add_argument("--element", choices=("full", "incompatible", "bbar"), default="full", help="finite element of the inner part (default: full)")

@@ -129,7 +129,7 @@ Limitations: small strain in the co-rotated frame; inertia forces of the rotatio
 		((string, element, "full", Attr::triggerPostLoad, "Stiffness of the inner hexahedron: 'full' (2x2x2 Gauss points, as the paper; too stiff in bending), 'incompatible' (bends right) or 'bbar' (for nu near 0.5)."))
 		((string, inner, "inset", Attr::triggerPostLoad, "Where the inner hexahedron ends: 'inset' by :yref:`contactThickness<Brick.contactThickness>` (the paper) or 'full', the brick's own corners."))
 		((Real, contactThickness, NaN, Attr::triggerPostLoad, "Thickness r of the contact part [m], eq. (16). Needed unless rigid."))
-		((int, segments, 4, Attr::triggerPostLoad, "Segments along each edge of a face, 1 to 64."))
+		((int, segments, 4, Attr::triggerPostLoad, "Segments along each edge of a face in contact, 1 to 64. A joint has so many along a face's longest edge, and about square ones across, one row at least; a single row is a hinge."))
 		((vector<Real>, amplitudes, , Attr::readonly, "Amplitude of each deformation mode [sqrt(kg) m]; empty before the first step and for rigid bricks."))
 		((vector<Real>, rates, , Attr::readonly, "Rate of each amplitude, half a step before [sqrt(kg) m/s]."))
 		((vector<Vector3r>, displacement, , Attr::readonly, "Displacement of the eight nodes relative to the rigid motion, body axes [m]; empty for rigid bricks. Of a 'refined' brick all 6 cells^2 + 2 nodes on the surface: the corners first, then by place in the grid, x fastest and z slowest."))

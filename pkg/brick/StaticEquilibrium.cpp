@@ -62,6 +62,18 @@ void StaticEquilibrium::takeOver(const SceneAssembly& assembly)
 	scene->doSort = true;
 }
 
+brick::Equilibrium StaticEquilibrium::settled(SceneAssembly& assembly) const
+{
+	try {
+		return brick::settle(assembly.structure, loads(assembly), tolerance, mostIterations);
+	} catch (const brick::Mechanism& mechanism) {
+		throw std::runtime_error(brick::message(
+		        "StaticEquilibrium: nothing resists a motion of brick #",
+		        assembly.ids[mechanism.brick],
+		        "; a joint with a single row of segments is a hinge (more Brick.segments make more rows)"));
+	}
+}
+
 void StaticEquilibrium::action()
 {
 	SceneAssembly assembly = SceneAssembly::of(*scene);
@@ -69,7 +81,7 @@ void StaticEquilibrium::action()
 	if (loose >= 0)
 		throw std::runtime_error(
 		        brick::message("StaticEquilibrium: brick #", assembly.ids[loose], " is not held: no chain of joints leads from it to a support"));
-	const auto reached = brick::settle(assembly.structure, loads(assembly), tolerance, mostIterations);
+	const auto reached = settled(assembly);
 	takeOver(assembly);
 	iterations    = reached.iterations;
 	imbalance     = reached.imbalance;

@@ -30,9 +30,10 @@ Raises ValueError when bricks touch without mortar or a joint has failed in part
 	// clang-format on
 
 private:
-	Vector3r       presentGravity() const;
-	brick::VectorX loads(const SceneAssembly&) const;
-	void           takeOver(const SceneAssembly&);
+	Vector3r           presentGravity() const;
+	brick::VectorX     loads(const SceneAssembly&) const;
+	brick::Equilibrium settled(SceneAssembly&) const;
+	void               takeOver(const SceneAssembly&);
 };
 REGISTER_SERIALIZABLE(StaticEquilibrium);
 

@@ -33,7 +33,7 @@ def brick(
 	:param element: 'full', 'incompatible' or 'bbar'
 	:param inner: 'inset' or 'full'
 	:param contactThickness: r [m]; by default 1 % of the shortest edge
-	:param segments: segments along each edge of a face
+	:param segments: along each edge of a face, see Brick
 	:param cells: elements along each edge of the inner part of a refined brick, of which segments is a multiple; 2 unless given
 	:param fixed: True for a support that does not move
 	:param color: (red, green, blue), each in [0, 1]

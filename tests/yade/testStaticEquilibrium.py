@@ -108,6 +108,13 @@ class StaticEquilibriumCase(Scene):
 		self.expectRefusal(RuntimeError, ('#3', 'not held'), StaticEquilibrium())
 		self.assertEqual(before, [b.state.pos for b in self.bricks])
 
+	def test_refuses_a_joint_of_one_row_of_segments(self):
+		self.tower()
+		flat = [brick((.4, .1, .1), center=(2, 0, .05 + .1 * k), material=O.materials[-1], deformation='rigid', fixed=k == 0) for k in range(2)]
+		O.bodies.append(flat)
+		MortarJoints()()
+		self.expectRefusal(RuntimeError, ('#%d' % flat[1].id, 'single row', 'segments'), StaticEquilibrium())
+
 	def test_refuses_what_is_not_intact(self):
 		self.tower(tensileStrength=100)
 		MortarJoints()()

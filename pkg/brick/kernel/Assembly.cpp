@@ -359,7 +359,7 @@ namespace {
 			int brick = 0;
 			while (brick + 1 < int(structure.bricks().size()) && structure.place(brick + 1) <= coordinate)
 				++brick;
-			throw std::runtime_error(message("the structure is a mechanism: nothing resists a motion of brick ", brick));
+			throw Mechanism(message("the structure is a mechanism: nothing resists a motion of brick ", brick), brick);
 		}
 	};
 
@@ -368,7 +368,7 @@ namespace {
 Equilibrium settle(Assembly& structure, const VectorX& loads, Real tolerance, int mostIterations)
 {
 	if (const int loose = structure.freeBrick(); loose >= 0)
-		throw std::runtime_error(message("the structure is a mechanism: no chain of joints leads from brick ", loose, " to a support"));
+		throw Mechanism(message("the structure is a mechanism: no chain of joints leads from brick ", loose, " to a support"), loose);
 	constexpr Real slow  = 0.2; // an iteration that leaves more than this share of the imbalance asks for the present stiffness
 	auto           solve = std::make_unique<FreeStiffness>(structure);
 	const Real     scale = loads.dot((*solve)(loads));

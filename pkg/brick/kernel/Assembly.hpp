@@ -13,6 +13,9 @@
 
 #include <Eigen/Sparse>
 
+#include <stdexcept>
+#include <string>
+
 namespace brick {
 
 using SparseMatrix = Eigen::SparseMatrix<Real>;
@@ -86,6 +89,16 @@ private:
 	        std::array<std::array<MatrixX, 2>, 2>& blocks) const;
 };
 
+/// Nothing resists a motion of a brick of a structure.
+struct Mechanism : std::runtime_error {
+	int brick; ///< its index
+	Mechanism(const std::string& what, int index)
+	        : std::runtime_error(what)
+	        , brick(index)
+	{
+	}
+};
+
 /// What settle() reached.
 struct Equilibrium {
 	int  iterations = 0;
@@ -94,7 +107,7 @@ struct Equilibrium {
 
 /// Moves the assembly to where internal forces balance the loads, by Newton's method; the stiffness is found anew when an iteration helps little.
 /// @param loads on all coordinates   @param tolerance of the imbalance; it goes on below as long as iterations help
-/// @throws std::runtime_error when the structure has a mechanism, naming the brick's index, or when the imbalance does not fall
+/// @throws Mechanism when the structure has one; std::runtime_error when the imbalance does not fall
 Equilibrium settle(Assembly&, const VectorX& loads, Real tolerance, int mostIterations);
 
 } // namespace brick
