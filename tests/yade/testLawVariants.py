@@ -75,8 +75,11 @@ class Vanishing(unittest.TestCase):
 		build(**scene)
 		for term in terms:
 			setattr(law(), term, False)
-		dts, found = run(steps), state()
-		count = failed()
+		dts, self.touched = [], False
+		while len(dts) < steps:
+			dts += run(20)
+			self.touched = self.touched or any(i.isReal and not i.phys.jointed for i in O.interactions)
+		found, count = state(), failed()
 		merged = dict(scene)
 		merged.update(leaner)
 		build(**merged)
@@ -98,7 +101,7 @@ class Vanishing(unittest.TestCase):
 	def test_failure(self):
 		huge = dict(tensileStrength=1e30, cohesion=1e30, compressiveStrength=1e30)
 		self.assertEqual(self.compare(['failure'], {}, dict(mortar=huge)), 0)
-		self.assertTrue(any(i.isReal and not i.phys.jointed for i in O.interactions))
+		self.assertTrue(self.touched, 'the cube never touched the wall')
 
 	def test_all(self):
 		huge = dict(tensileStrength=1e30, cohesion=1e30, compressiveStrength=1e30, frictionAngle=0)
@@ -110,7 +113,7 @@ class Switched(unittest.TestCase):
 
 	def setUp(self):
 		build()
-		run(350)
+		run(120)
 		self.assertGreater(failed(), 0)
 
 	def tearDown(self):
@@ -146,9 +149,11 @@ class Switched(unittest.TestCase):
 
 	def test_dashpots_on_again_shorten_the_step_at_once(self):
 		build()
+		O.bodies.erase(10)  # the cube that falls is counted anew when it touches
 		O.step()
 		damped = O.dt
 		build()
+		O.bodies.erase(10)
 		law().dashpots = False
 		O.step()
 		self.assertGreater(O.dt, 1.001 * damped)
