@@ -362,7 +362,7 @@ def writeColumns(motion, path):
 def velocityPulse(times, amplitude, period, centre, cycles=1.2, phase=0.5 * math.pi):
 	"""Near-fault velocity pulse and its acceleration [Mavroeidis and Papageorgiou 2003, Bull. Seism. Soc. Am. 93(3), 1099-1131].
 
-	v(t) = A/2 (1 + cos(2 pi (t - t0) / (gamma Tp))) cos(2 pi (t - t0) / Tp + nu)   for abs(t - t0) <= gamma Tp / 2, else 0;
+	v(t) = A/2 (1 + cos(2 pi (t - t0) / (gamma Tp))) cos(2 pi (t - t0) / Tp + nu)   for |t - t0| <= gamma Tp / 2, else 0;
 	the acceleration is its derivative. With nu = 90 degrees the pulse leaves no displacement behind.
 
 	:param times: (n,) [s]
