@@ -15,10 +15,16 @@ import sys
 here = os.path.dirname(os.path.abspath(sys.argv[0]))  # YADE gives scripts no __file__ of their own
 sys.path.insert(0, here)
 
+try:
+	from sphinx.cmd.build import main as sphinxBuild
+	import myst_parser, sphinx_rtd_theme
+except ImportError as problem:
+	print(f"{problem}: scripts/docs.sh installs what is missing")
+	sys.exit(77)  # which tells ctest that nothing was tested
+
 import pythonModules
 import yadeClasses
 import yade_brick
-from sphinx.cmd.build import main as sphinxBuild
 
 repository = os.path.dirname(os.path.dirname(here))
 
