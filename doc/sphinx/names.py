@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Names in the text become links to the reference: YADE's roles (`:yref:` and those at the end of attributes), and every `code` on a page that is the name of
 # something documented. So pages can be written in plain Markdown, to be read on a code host as well.
-"""Sphinx extension: links from names."""
+"""Sphinx extension: links from names; magnitudes in docstrings."""
 
 import re
 
@@ -87,10 +87,19 @@ def _names(app):
 	return app.referenceNames
 
 
+def escapeBars(app, what, name, thing, options, lines):
+	"""In docstrings |x| is a magnitude, where reST has a substitution."""
+	for place, line in enumerate(lines):
+		if not line.lstrip().startswith((">>>", "|")):
+			parts = line.split("``")
+			lines[place] = "``".join(part if inside % 2 else part.replace("|", r"\|") for inside, part in enumerate(parts))
+
+
 def setup(app):
 	app.add_config_value("yadeReference", "", "env")
 	app.add_config_value("exportedNames", [], "env")
 	app.add_role("yref", YadeReference())
 	app.add_role("name", Name())
 	app.add_post_transform(Links)
+	app.connect("autodoc-process-docstring", escapeBars)
 	return {"parallel_read_safe": True}

@@ -9,7 +9,7 @@ covered = [
         (r"scripts/prepare\.sh", ["*"], "called by scripts/test.sh, which is what .ci/run runs"),
         (r"scripts/test\.sh", ["*"], "what .ci/run runs"),
         (r"scripts/demo\.sh", ["example.wall"], "the script is prepare.sh and this example"),
-        (r"scripts/docs\.sh", ["docs.html"], "installing Sphinx"),
+        (r"scripts/docs\.sh|build/yade .*doc/sphinx/build\.py", ["docs.html"], "installing Sphinx"),
         (r"scripts/verify\.sh", ["verification.*", "verification.report"], "the slow cases"),
         (r"scripts/stability\.sh", ["stability.*"], "the slow cases; its table"),
         (r"scripts/fuzz\.sh", ["fuzz"], "more examples than the same few"),
@@ -20,13 +20,15 @@ covered = [
         (r".*examples/04_", ["example.rigidVersusDeform", "python"], "whole motions: half an hour; test_findings.py tests what it says of results"),
         (r".*examples/05_", ["example.accuracyVersusTime", "python"], "all settings: hours; test_accuracy.py tests tables, page and reading"),
         (r".*examples/07_", ["example.deformationOnDemand", "python"], "whole motions; test_onDemand.py tests what it says of results"),
+        (r"build/yade .*doc/figures/", ["docs.figure.*"], ""),
         # benchmarks
         (r"build/yade .*benchmarks/scenes/bricks\.py", ["budget.*"], "this scene; budget's are built by the same modules"),
         # elsewhere
         (r"build/yade --check", ["host.check"], ""),
-        (r"build/yade -x mywall\.py", ["docs.commands"], "the window: run with -n"),
+        (r"build/yade (-n )?(-x )?(-j\d )?(mywall|script)\.py", ["docs.commands", "yade.testThreads"], "the window: run with -n"),
         (r"build/yade$", ["yade.*"], ""),
         (r"cmake --install build", ["yade.testInstall"], ""),
-        (r"cmake -D YADE_SOURCE_DIR", ["abi.*"], "a source tree of YADE, which Debian does not have; abi.* compares our declarations with the running YADE"),
+        (r"cmake (-S . -B build )?-D YADE_SOURCE_DIR", ["abi.*"], "a source tree of YADE, which Debian does not have; abi.* compares our declarations with the running YADE"),
+        (r"cmake --build build", ["*"], "what scripts/prepare.sh ends with"),
         (r"ctest", ["*"], "what scripts/test.sh ends with"),
 ]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# What the documentation tells a user to type: shell commands and Python scenes, as they stand in Markdown pages, in the heads of examples and of scripts.
+# What the documentation tells a user to type: shell commands and Python scenes, as they stand in Markdown pages, in the heads of examples, figures and scripts.
 """Commands and Python blocks of the documentation."""
 
 import ast
@@ -50,8 +50,8 @@ def commands():
 	found = []
 	for page in markdownPages():
 		found += [Command(_name(page), text) for text in _commandsOfMarkdown(page.read_text())]
-	for example in sorted((repository / "examples").glob("*.py")):
-		found += [Command(_name(example), text) for text in _commandLines(ast.get_docstring(ast.parse(example.read_text())) or "")]
+	for script in [*sorted((repository / "examples").glob("*.py")), *sorted((repository / "doc").rglob("*.py"))]:
+		found += [Command(_name(script), text) for text in _commandLines(ast.get_docstring(ast.parse(script.read_text())) or "")]
 	for script in sorted((repository / "scripts").glob("*.sh")):
 		head = re.split(r"^[^#\n]", script.read_text(), maxsplit=1, flags=re.M)[0]
 		found += [Command(_name(script), text) for text in _commandLines(head.replace("#", ""))]

@@ -21,6 +21,10 @@ import pages
 #: What is made shorter: page, text, what stands there in the test.
 reductions = [
         ("doc/accuracy.md", "duration=3", "duration=.02"),
+        ("doc/guide/first-scene.md", "duration=3", "duration=.02"),
+        ("doc/guide/running.md", "duration=5", "duration=.05"),
+        ("doc/guide/running.md", "duration=3", "duration=.02"),
+        ("doc/guide/running.md", "duration=1", "duration=.02"),
 ]
 
 yade = os.path.join(pages.repository, "build", "yade")
@@ -82,6 +86,7 @@ def testNames():
 	names = set(re.findall(r"add_test\(NAME ([\w.]+)[\s)]", text))
 	names |= {f"example.{name}" for name in re.findall(r"^add_example\((\w+)", text, re.M)}
 	names |= {f"{folder}.{file.stem}" for folder in ("yade", "verification", "stability") for file in (tests / folder).glob("*.py")}
+	names |= {f"docs.figure.{file.stem}" for file in (pages.repository / "doc" / "figures").glob("*.py")}
 	return sorted(names)
 
 
@@ -91,7 +96,7 @@ class Scenes(unittest.TestCase):
 	def run_page(self, scene):
 		for page, text, shorter in reductions:
 			if page == scene.place:
-				self.assertIn(text, scene.code)
+				self.assertIn(text, scene.code, f"{page} has no {text} any more that could be made shorter")
 				scene = scene._replace(code=scene.code.replace(text, shorter))
 		with tempfile.TemporaryDirectory() as folder:
 			with open(os.path.join(folder, "scene.py"), "w") as file:
@@ -113,6 +118,17 @@ class Scenes(unittest.TestCase):
 		said, files = self.run_page(scene)
 		self.assertGreater(int(re.search(r"^(\d+) segments failed", said, re.M).group(1)), 0)
 		self.assertGreater(files["mywall.png"], 5000)
+
+
+class Messages(unittest.TestCase):
+	"""The messages that the page about troubles explains are those that the code has; '...' stands for what differs."""
+
+	def test_they_are_in_the_code(self):
+		files = [file for folder in ("pkg", "py", "cmake") for file in (pages.repository / folder).rglob("*") if file.suffix in (".cpp", ".hpp", ".py", ".cmake")]
+		code = re.sub(r"""['"]\s*\n?\s*f?['"]""", "", "\n".join(file.read_text() for file in files))  # texts that go on in the next line
+		messages = re.findall(r"^### `(.*)`$", (pages.repository / "doc" / "guide" / "troubleshooting.md").read_text(), re.M)
+		self.assertGreater(len(messages), 10)
+		self.assertEqual([part for message in messages for part in message.split("...") if part.strip(" .;") and part.strip() not in code], [])
 
 
 def _addPages():
