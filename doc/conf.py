@@ -16,7 +16,6 @@ include_patterns = ["README.md", "doc/**.md", "benchmarks/README.md", "reference
 
 # a link to a heading is checked as one to a page is
 myst_heading_anchors = 3
-myst_enable_extensions = ["dollarmath"]
 
 default_role = "name"
 autodoc_member_order = "bysource"

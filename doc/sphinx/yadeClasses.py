@@ -127,9 +127,9 @@ def _inherited(cls):
 	"""Names of what the class has from YADE's own, each with a link to YADE's documentation."""
 	lines = []
 	for base in cls.__mro__[1:]:
-		names = [attribute.name for attribute in attributesOf(base)] if base.__name__ != "Serializable" else []
 		if base.__name__ == "Serializable":
 			break
+		names = [attribute.name for attribute in attributesOf(base) if not attribute.name.startswith("disp")]  # of YADE's dispatching
 		if names:
 			lines.append(f"   - from :yref:`{base.__name__}`: " + ", ".join(f":yref:`{name}<{base.__name__}.{name}>`" for name in names))
 	return "   Inherited attributes:\n\n" + "\n".join(lines) if lines else ""

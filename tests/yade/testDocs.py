@@ -186,3 +186,13 @@ def functionNamed(name):
 def givesSomething(function):
 	tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
 	return any(isinstance(node, ast.Return) and node.value is not None for node in ast.walk(tree))
+
+
+class Overview(unittest.TestCase):
+	"""The page that says at a glance what there is leaves nothing out."""
+
+	def test_all_names_are_there(self):
+		with open(os.path.join(repository, 'doc', 'guide', 'overview.md')) as file:
+			named = set(re.findall(r'\w+', ' '.join(re.findall(r'`([^`]+)`', file.read()))))
+		wanted = set(yade_brick._core.classes) | set(pythonModules.functionsAndClasses(yade_brick))
+		self.assertEqual(sorted(wanted - named), [])
