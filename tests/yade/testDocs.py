@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # What help() says is complete: every class of ours in YADE with all attributes and methods, and every public function, class and method of the Python package,
-# whichever are there when the test runs. Each lack is listed, so that one run shows all.
-import ast, importlib, inspect, os, re, sys, textwrap, unittest
+# whichever are there when the test runs. Public is what the package itself has (yade_brick.brick) and what an example or a page of the documentation uses of a
+# module (report.judgedRow). Each lack is listed, so that one run shows all.
+import ast, importlib, inspect, os, pathlib, re, sys, textwrap, unittest
 
 import yade_brick
 
@@ -20,6 +21,9 @@ numberTypes = re.compile(r'\b(Real|double|Vector\dr|Vector\d|Matrix\w+|Quaternio
 dimensional = re.compile(
         r'(size|sizes|thickness|origin|cent(er|re)|corners?|span|rise|height|depth|length|width|radius|gap|overlap|displacement|verletdist|dt|time|duration|period|until'
         r'|every|interval|gravity|velocity|acceleration|force|stress|young|density|frequency)$', re.I)
+
+# What a short text may call a parameter
+otherWords = {'path': 'path|file|folder|CSV', 'id': 'id|body'}
 
 # Attributes that Python finds in every NamedTuple, dataclass, list or tuple
 inherited = {name for kind in (list, tuple, dict, Exception) for name in vars(kind)} | {'_fields', 'count', 'index'}
@@ -98,7 +102,7 @@ class PythonPackage(unittest.TestCase):
 
 	def test_it_sees_the_package(self):
 		names = {name for name, _, _ in self.things}
-		for known in ('yade_brick.build.brick', 'yade_brick.loop.engines', 'yade_brick.motion.Motion', 'yade_brick.motion.Motion.resampled'):
+		for known in ('yade_brick.build.brick', 'yade_brick.loop.engines', 'yade_brick.motion.Motion', 'yade_brick.motion.Motion.resampled', 'yade_brick.report.judgedRow'):
 			self.assertIn(known, names)
 		exported = {f'{thing.__module__}.{thing.__qualname__}' for thing in pythonModules.functionsAndClasses(yade_brick).values()}
 		self.assertLessEqual(exported, names)
@@ -111,12 +115,16 @@ class PythonPackage(unittest.TestCase):
 		self.lacks([f'{name}: no :param {p}:' for name, thing, parameters in self.things for p in parameters if not isDescribed(p, thing, parameters)])
 
 	def test_nothing_is_described_that_is_no_parameter(self):
-		self.lacks([f'{name}: :param {p}: is none of its parameters' for name, thing, parameters in self.things for p in described(thing) if p not in parameters])
+		"""Nor, of a class, an attribute that its objects have."""
+		self.lacks([
+		        f'{name}: :param {p}: is none of its parameters' for name, thing, parameters in self.things for p in described(thing)
+		        if p not in parameters and not (inspect.isclass(thing) and f'self.{p}' in inspect.getsource(thing))
+		])
 
 	def test_lengths_times_and_the_like_have_a_unit(self):
 		self.lacks([
 		        f'{name}: :param {p}: {text}' for name, thing, _ in self.things for p, text in described(thing).items()
-		        if dimensional.search(p) and not saysUnit(text) and not text.startswith('as in ')
+		        if dimensional.search(p) and not saysUnit(text) and not text.startswith(('as in ', 'True', 'whether'))
 		])
 
 	def test_what_is_returned_is_said(self):
@@ -128,17 +136,32 @@ class PythonPackage(unittest.TestCase):
 
 
 def publicThings():
-	"""(full name, function or class, names of its parameters) of all that the modules of the package define for others."""
+	"""(full name, function or class, names of its parameters) of all that is public."""
+	public = {f'{thing.__module__}.{thing.__qualname__}' for thing in pythonModules.functionsAndClasses(yade_brick).values()} | usedNames()
 	for module in pythonModules.modulesOf(yade_brick):
 		module = importlib.import_module('yade_brick.' + module)
 		for name, thing in vars(module).items():
-			if name.startswith('_') or getattr(thing, '__module__', None) != module.__name__:
+			full = f'{module.__name__}.{name}'
+			if full not in public or getattr(thing, '__module__', None) != module.__name__:
 				continue
 			if inspect.isfunction(thing):
-				yield f'{module.__name__}.{name}', thing, parametersOf(thing)
+				yield full, thing, parametersOf(thing)
 			elif inspect.isclass(thing):
-				yield f'{module.__name__}.{name}', thing, [] if issubclass(thing, (list, tuple)) and not hasattr(thing, '_fields') else parametersOf(thing)
-				yield from membersOf(f'{module.__name__}.{name}', thing)
+				yield full, thing, [] if issubclass(thing, (list, tuple)) and not hasattr(thing, '_fields') else parametersOf(thing)
+				yield from membersOf(full, thing)
+
+
+def usedNames():
+	"""Full names of what examples and pages use of modules, as report.judgedRow or `from yade_brick.picture import Patch`."""
+	texts = []
+	for pattern in ('examples/*.py', 'doc/**/*.md', 'README.md'):
+		texts += [path.read_text() for path in pathlib.Path(repository).glob(pattern)]
+	text = '\n'.join(texts)
+	modules = '|'.join(pythonModules.modulesOf(yade_brick))
+	found = {f'yade_brick.{module}.{name}' for module, name in re.findall(rf'\b({modules})\.(\w+)', text)}
+	for module, names in re.findall(rf'from yade_brick\.({modules}) import ([\w, ]+)', text):
+		found |= {f'yade_brick.{module}.{name.strip()}' for name in names.split(',')}
+	return found
 
 
 def membersOf(name, cls):
@@ -172,7 +195,9 @@ def isDescribed(parameter, thing, parameters):
 	text = inspect.getdoc(thing) or ''
 	if parameter in described(thing):
 		return True
-	if parameter in ('x', 'y', 'z') and 'axis' in text or len(parameters) <= 2 and re.search(rf'\b{parameter}\b', text):
+	if parameter in ('x', 'y', 'z') and 'axis' in text:
+		return True
+	if len(parameters) <= 2 and re.search(rf'\b({otherWords.get(parameter, parameter)})\b', text):
 		return True
 	return any(parameter in parametersOf(other) for other in map(functionNamed, re.findall(r'\b(?:as in|and) `*(\w+)', text)) if other)
 
