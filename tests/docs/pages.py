@@ -11,9 +11,10 @@ from typing import NamedTuple
 repository = pathlib.Path(__file__).resolve().parents[2]
 
 #: What a line, or `code` in a sentence, begins with that is a command.
-_command = re.compile(r"(build/yade|scripts/\w+\.sh|examples/\w+\.py(?= -)|cmake|ctest|yade-batch|yade|python3|apt-get|sudo|git)(?=\s|$)(?! import)")
+_command = re.compile(r"(build/yade|scripts/\w+\.sh|examples/\w+\.py(?= -)|cmake|ctest|xvfb-run|yade-batch|yade|python3|apt-get|sudo|git)(?=\s|$)(?! import)")
 _fence = re.compile(r"^(```+)\s*(\w*).*?\n(.*?)^\1\s*$", re.M | re.S)
 _runAfter = re.compile(r"<!-- run after: (\S+) -->\s*\Z")
+_runBy = re.compile(r"<!-- run by: (\S+) -->\s*\Z")
 
 
 class Command(NamedTuple):
@@ -33,11 +34,13 @@ class Scene(NamedTuple):
 	:param place: file they stand in
 	:param code: a script
 	:param said: texts (blocks marked `text`) that the script prints
+	:param runBy: tests that run other blocks of the page, which this script cannot: those that need a window
 	"""
 
 	place: str
 	code: str
 	said: list
+	runBy: list
 
 
 def markdownPages():
@@ -64,16 +67,20 @@ def scenes():
 
 
 def sceneOf(page):
-	"""The scene of a page, None when it has no Python. A comment `<!-- run after: FILE -->` before a block names a script that makes what the block needs."""
-	text, parts, said = page.read_text(), [], []
+	"""The scene of a page, None when it has no Python. A comment before a block, `<!-- run after: FILE -->`, names a script that makes what the block needs;
+	`<!-- run by: TEST -->` the test that runs it instead."""
+	text, parts, said, runBy = page.read_text(), [], [], []
 	for block in _fence.finditer(text):
 		if block.group(2) == "text":
 			said.append(block.group(3))
 		if block.group(2) == "python":
+			if test := _runBy.search(text[:block.start()]):
+				runBy.append(test.group(1))
+				continue
 			if before := _runAfter.search(text[:block.start()]):
 				parts.append((repository / before.group(1)).read_text())
 			parts.append(block.group(3))
-	return Scene(_name(page), "\n".join(parts), said) if parts else None
+	return Scene(_name(page), "\n".join(parts), said, runBy) if parts or runBy else None
 
 
 def _name(path):

@@ -118,6 +118,9 @@ class Scenes(unittest.TestCase):
 	def test_reductions_are_of_pages_with_scenes(self):
 		self.assertLessEqual({page for page, _, _ in reductions}, {scene.place for scene in pages.scenes()})
 
+	def test_blocks_that_other_tests_run_name_them(self):
+		self.assertEqual([(scene.place, test) for scene in pages.scenes() for test in scene.runBy if test not in testNames()], [])
+
 	def test_what_scenes_say_is_compared(self):
 		self.assertIn("deformation", pages.sceneOf(pages.repository / "doc" / "guide" / "first-scene.md").said[0])
 
@@ -141,7 +144,7 @@ class Messages(unittest.TestCase):
 
 def _addPages():
 	for scene in pages.scenes():
-		if scene.place != "README.md":
+		if scene.code and scene.place != "README.md":
 			name = "test_" + re.sub(r"\W+", "_", scene.place.removesuffix(".md"))
 			setattr(Scenes, name, _testOf(scene))
 
