@@ -87,12 +87,16 @@ def _names(app):
 	return app.referenceNames
 
 
-def escapeBars(app, what, name, thing, options, lines):
-	"""In docstrings |x| is a magnitude, where reST has a substitution."""
+def escapeMarks(app, what, name, thing, options, lines):
+	"""In docstrings |x| is a magnitude and a lone * itself, where reST has a substitution and emphasis."""
 	for place, line in enumerate(lines):
 		if not line.lstrip().startswith((">>>", "|")):
 			parts = line.split("``")
-			lines[place] = "``".join(part if inside % 2 else part.replace("|", r"\|") for inside, part in enumerate(parts))
+			lines[place] = "``".join(part if inside % 2 else _escaped(part) for inside, part in enumerate(parts))
+
+
+def _escaped(text):
+	return re.sub(r"(?<![*\w\\])\*(?![*\w])", r"\\*", text.replace("|", r"\|"))
 
 
 def setup(app):
@@ -101,5 +105,5 @@ def setup(app):
 	app.add_role("yref", YadeReference())
 	app.add_role("name", Name())
 	app.add_post_transform(Links)
-	app.connect("autodoc-process-docstring", escapeBars)
+	app.connect("autodoc-process-docstring", escapeMarks)
 	return {"parallel_read_safe": True}

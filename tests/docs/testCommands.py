@@ -20,11 +20,14 @@ import pages
 
 #: What is made shorter: page, text, what stands there in the test.
 reductions = [
+        ("README.md", "duration=3", "duration=1"),
         ("doc/accuracy.md", "duration=3", "duration=.02"),
         ("doc/guide/first-scene.md", "duration=3", "duration=.02"),
         ("doc/guide/running.md", "duration=5", "duration=.05"),
         ("doc/guide/running.md", "duration=3", "duration=.02"),
         ("doc/guide/running.md", "duration=1", "duration=.02"),
+        ("doc/guide/results.md", "duration=.5", "duration=.1"),
+        ("doc/guide/studies.md", "for seed in (1, 2)", "for seed in (2, )"),
 ]
 
 yade = os.path.join(pages.repository, "build", "yade")
@@ -80,10 +83,13 @@ def rowOf(command):
 
 
 def testsOfExample(command):
-	"""Names of the tests that run the example of a command."""
+	"""Names of the tests that run the example of a command, or an example that runs it."""
 	path, _ = pages.program(command)
 	text = (pages.repository / "tests" / "CMakeLists.txt").read_text()
-	return [f"example.{name}" for name, script in re.findall(r"^add_example\((\w+) (\S+\.py)", text, re.M) if path == pages.repository / "examples" / script]
+	run = {script: f"example.{name}" for name, script in re.findall(r"^add_example\((\w+) (\S+\.py)", text, re.M)}
+	if path is None or path.parent.name != "examples":
+		return []
+	return [test for script, test in run.items() if script == path.name or path.name in (path.parent / script).read_text()]
 
 
 def testNames():
