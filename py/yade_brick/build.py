@@ -140,10 +140,6 @@ def _unitQuaternion(orientation):
 
 
 def shortestEdge(corners):
-	"""Length of the shortest edge of a hexahedron [m].
-
-	:param corners: eight Vector3 [m], in the order of Brick.corners
-	"""
 	edges = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
 	return min((corners[i] - corners[j]).norm() for i, j in edges)
 
