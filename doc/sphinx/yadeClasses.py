@@ -9,6 +9,9 @@ from typing import NamedTuple
 #: Bits of `:yattrflags:` that say something to a user.
 flagWords = {1: "not saved", 2: "read only"}
 
+# Static attributes (of classes that draw) have no docstring of their own: YADE appends what is said of them to that of the class.
+_static = re.compile(r"^\.\. ystaticattr:: \w+\.(\w+)\(=(.*?)\)\s*\n\n\t(.*?)(?=^\.\. ystaticattr::|\Z)", re.M | re.S)
+
 _role = re.compile(r"\s*:(ydefault|yattrtype|yattrflags):`([^`]*)`")
 _signature = re.compile(r"^(\w+)\((.*)\) -> (\w+) :$")
 _argument = re.compile(r"\((\w+)\)(\w+)(=[^],]*)?")
@@ -20,7 +23,7 @@ class Attribute(NamedTuple):
 
 	:param name: its name
 	:param text: what it is, in reST
-	:param type: in C++; empty for a property that is computed when asked
+	:param type: in C++, or in Python for a static one; empty for a property that is computed when asked
 	:param default: as YADE writes it; empty: none
 	:param flags: words such as 'read only'
 	"""
@@ -49,9 +52,18 @@ class Method(NamedTuple):
 	text: str
 
 
+def textOf(cls):
+	"""What is said of a class as a whole, in reST."""
+	return (cls.__doc__ or "").split("\n\n.. ystaticattr::")[0]
+
+
 def attributesOf(cls):
 	"""Attributes that a class adds to those of its base, in the order of their declaration."""
-	return [_attribute(name, member.__doc__ or "") for name, member in _own(cls) if isinstance(member, property)]
+	static = {name: (default, text) for name, default, text in _static.findall(cls.__doc__ or "")}
+	return [
+	        _staticAttribute(cls, name, *static[name]) if name in static else _attribute(name, member.__doc__ or "") for name, member in _own(cls)
+	        if isinstance(member, property)
+	]
 
 
 def methodsOf(cls):
@@ -70,6 +82,12 @@ def _attribute(name, documentation):
 	if not marks:
 		words = ("read only", )
 	return Attribute(name, _role.sub("", documentation).strip(), marks.get("yattrtype", ""), marks.get("ydefault", ""), words)
+
+
+def _staticAttribute(cls, name, default, documentation):
+	"""As it is now, since YADE says no type of these; the word says that it is one for all objects."""
+	found = _attribute(name, documentation)
+	return found._replace(type=type(getattr(cls, name)).__name__, default=default, flags=("static", *(flag for flag in found.flags if ":yattrflags:" in documentation)))
 
 
 def _method(name, documentation, static):
@@ -93,7 +111,7 @@ def _argumentText(type, name, default):
 def page(cls):
 	"""A page in reST about a class: base, text, attributes, methods, what it inherits."""
 	name, base = cls.__name__, cls.__bases__[0].__name__
-	parts = [f"{name}\n{'=' * len(name)}", f".. py:class:: {name}(attribute=value, ...)", f"   Base: :yref:`{base}`.", _indented(cls.__doc__ or "")]
+	parts = [f"{name}\n{'=' * len(name)}", f".. py:class:: {name}(attribute=value, ...)", f"   Base: :yref:`{base}`.", _indented(textOf(cls))]
 	parts += [_attributeText(attribute) for attribute in attributesOf(cls)]
 	parts += [_methodText(method) for method in methodsOf(cls)]
 	parts += [_inherited(cls)]

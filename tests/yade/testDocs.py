@@ -14,8 +14,8 @@ classes = [getattr(yade_brick, name) for name in sorted(yade_brick._core.classes
 
 # A number that has a dimension says its unit in brackets, [m]. One that has none says [-], or what it is in one of these words.
 unit = re.compile(r'\[(-|[\w/ .^()*]+)\]')
-noDimension = re.compile(r'\b(share|fraction|ratio|number|times|count|factor|direction|quaternion|index|indices|ids?|percent|degrees|pixels|inches|points)\b', re.I)
-numberTypes = re.compile(r'\b(Real|double|Vector\dr|Vector\d|Matrix\w+|Quaternionr)\b')
+noDimension = re.compile(r'\b(share|fraction|ratio|number|times|count|factor|direction|quaternion|index|indices|ids?|percent|colours?|degrees|pixels|inches|points)\b', re.I)
+numberTypes = re.compile(r'\b(Real|double|Vector\dr|Vector\d|Matrix\w+|Quaternionr|float)\b')
 
 # Parameters of Python functions with a dimension, by the last word of their names.
 dimensional = re.compile(
@@ -45,7 +45,15 @@ class YadeClasses(unittest.TestCase):
 		self.assertEqual(found, [], '\n' + '\n'.join(found))
 
 	def test_classes_are_described(self):
-		self.lacks([f'{c.__name__}: {c.__doc__!r}' for c in classes if not isSentence(c.__doc__ or '') or len(c.__doc__) < 40])
+		self.lacks([f'{c.__name__}: {c.__doc__!r}' for c in classes if not isSentence(yadeClasses.textOf(c)) or len(yadeClasses.textOf(c)) < 40])
+
+	def test_static_attributes_are_seen(self):
+		"""In one of YADE's own classes that draw, which keeps them elsewhere than others."""
+		from yade import wrapper
+		found = {a.name: a for a in yadeClasses.attributesOf(wrapper.Gl1_Sphere)}
+		self.assertEqual((found['quality'].type, found['quality'].default, found['wire'].flags), ('float', '1.0', ('static', )))
+		self.assertTrue(found['wire'].text.startswith('Only show wireframe'))
+		self.assertEqual(yadeClasses.textOf(wrapper.Gl1_Sphere), 'Renders :yref:`Sphere` object')
 
 	def test_attributes_and_methods_are_described(self):
 		members = [(c, m) for c in classes for m in yadeClasses.attributesOf(c) + yadeClasses.methodsOf(c)]
