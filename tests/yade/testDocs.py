@@ -201,7 +201,7 @@ def described(thing):
 
 def isDescribed(parameter, thing, parameters):
 	text = inspect.getdoc(thing) or ''
-	if parameter in described(thing):
+	if parameter in described(thing) or re.search(rf'; {parameter}: ', text):  # two in one field
 		return True
 	if parameter in ('x', 'y', 'z') and 'axis' in text:
 		return True
