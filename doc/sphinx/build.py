@@ -52,7 +52,7 @@ def main():
 	out = os.path.abspath(chosen.out)
 	source = os.path.join(out, ".source")
 	layOut(source)
-	status = sphinxBuild(["-b", "html", "-W", "--keep-going", "-q", "-j1", "-c", os.path.join(repository, "doc"), "-d", os.path.join(out, ".doctrees"),
+	status = sphinxBuild(["-b", "html", "-a", "-W", "--keep-going", "-q", "-j1", "-c", os.path.join(repository, "doc"), "-d", os.path.join(out, ".doctrees"),
 	                      "-D", "exportedNames=" + ",".join(pythonModules.functionsAndClasses(yade_brick)), *more, source, out])
 	writeEntrance(out)
 	if status == 0:
