@@ -52,12 +52,16 @@ def main():
 	for x in edges:
 		ax.plot([x, x], [height - .05, height], color=drawing.ink, lw=1.2)
 		ax.plot([x, x], [high, high + .05], color=drawing.ink, lw=1.2)
-	label(ax, "brick: a convex hexahedron; its rigid motion is the body's State,\nwith the mass and inertia of the whole solid", (width, high + height - .05), (2.5, high + height - .12))
-	label(ax, "inner part: an 8-node element (or several) that deforms relative\nto the rigid motion; here inner='inset', by r inside the faces", (width - r - .15, high + .75), (2.5, high + .78))
+	text = "brick: a convex hexahedron; its rigid motion is the body's State,\nwith the mass and inertia of the whole solid"
+	label(ax, text, (width, high + height - .05), (2.5, high + height - .12))
+	text = "inner part: an 8-node element (or several) that deforms relative\nto the rigid motion; here inner='inset', by r inside the faces"
+	label(ax, text, (width - r - .15, high + .75), (2.5, high + .78))
 	label(ax, "node: its displacement moves the corner beside it", (width - r, high + r), (2.5, high + .42))
-	label(ax, "joint: mortar on the overlap of two faces, a normal and a shear\nspring for each segment; one segment here has failed in tension", (edges[-2] + .33, high - gap / 2), (2.5, high - .07), color=drawing.second)
+	text = "joint: mortar on the overlap of two faces, a normal and a shear\nspring for each segment; one segment here has failed in tension"
+	label(ax, text, (edges[-2] + .33, high - gap / 2), (2.5, high - .07), color=drawing.second)
 	label(ax, "segments: 4 along each edge of a face, in the plane of the face too", (edges[-2], height - .03), (2.5, height - .28))
-	label(ax, "contact part: thickness r, stiff as the brick's material; what presses\non the face is carried by it", (width - .08, .55), (2.5, .52))
+	text = "contact part: thickness r, stiff as the brick's material; what presses\non the face is carried by it"
+	label(ax, text, (width - .08, .55), (2.5, .52))
 	ax.annotate("", (0, .28), (r, .28), arrowprops=dict(arrowstyle="<->", lw=.9, shrinkA=0, shrinkB=0))
 	ax.text(-.06, .28, "r", ha="right", va="center", fontsize=11, style="italic")
 	ax.set(aspect="equal", xlim=(-.2, 6.3), ylim=(-.06, high + height + .06))

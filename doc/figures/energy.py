@@ -3,7 +3,8 @@
 
     build/yade -n -x -j1 doc/figures/energy.py [--out DIR]
 
-Above, what is there and what was taken, stacked, is as high as what came in: work of the ground, and of gravity as bricks come down. Below is the difference, and with it the test of the run.
+Above, what is there and what was taken, stacked, is as high as what came in: work of the ground, and of gravity as bricks come down. Below is the
+difference, and with it the test of the run.
 """
 
 import math
@@ -19,7 +20,8 @@ import yade_brick
 
 #: Entries of O.energy that are drawn together: name, colour, entries. What came in has the opposite sign there.
 groups = [("friction", "#c8500a", ["plastDissip"]), ("dashpots and damping", "#e0a458", ["dashpots", "deformDamping", "nonviscDamp"]),
-          ("mortar that failed", "#6a0dad", ["fracture"]), ("springs and elements", "#5b8c5a", ["elastPotential", "deformElastic", "levelChange", "contactArea"]),
+          ("mortar that failed", "#6a0dad", ["fracture"]),
+          ("springs and elements", "#5b8c5a", ["elastPotential", "deformElastic", "levelChange", "contactArea"]),
           ("motion", "#0b6fa4", ["kinetic", "deformKinetic"])]
 income = ["gravWork", "groundWork", "supportWork"]
 

@@ -3,8 +3,8 @@
 
     build/yade -n -x -j1 doc/figures/levels.py [--out DIR]
 
-A cube stands in mortar on the ground; a stiff block presses on half of its top. Displacements are drawn 60 times too large. Below each picture is how far the loaded edge of
-the top goes down. A rigid brick does not deform: what it moves by is in the springs of its joints, which have its compliance.
+A cube stands in mortar on the ground; a stiff block presses on half of its top. Displacements are drawn 60 times too large. Below each
+picture is how far the block goes down and turns. A rigid brick does not deform: what it moves by is in the springs of its joints, which have its compliance.
 """
 
 import os
@@ -44,7 +44,7 @@ def loaded(options):
 
 
 def gridOfFront(cells):
-	"""Indices (cells + 1, cells + 1) of the nodes on the front, y = -side/2, by z and x, in the order of Brick.displacement: the corners first, then by place in the grid."""
+	"""Indices (cells + 1, cells + 1) of the nodes on the front, y = -side/2, by z and x, in the order of Brick.displacement."""
 	n, index = cells + 1, {}
 	corners = [(0, 0, 0), (cells, 0, 0), (cells, cells, 0), (0, cells, 0), (0, 0, cells), (cells, 0, cells), (cells, cells, cells), (0, cells, cells)]
 	rest = [(i, j, k) for k in range(n) for j in range(n) for i in range(n) if {0, cells} & {i, j, k} and (i, j, k) not in corners]

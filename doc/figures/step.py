@@ -25,7 +25,8 @@ words = {
         "GroundMotion": "- m z'' on what is free to move",
         "NewtonIntegrator": "rigid motion of every body; gravity"
 }
-functorWords = [("Ig2", "where faces are, which segments touch, how deep"), ("Ip2", "springs, dashpots, friction of a new contact"), ("Law2", "stress of each segment; mortar that fails; friction")]
+functorWords = [("Ig2", "where faces are, which segments touch, how deep"), ("Ip2", "springs, dashpots, friction of a new contact"),
+                ("Law2", "stress of each segment; mortar that fails; friction")]
 
 
 def loop():

@@ -3,8 +3,9 @@
 
     build/yade -n -x -j1 doc/figures/strength.py [--out DIR]
 
-Two rigid bricks with one segment between them; the upper one is moved along a straight path, in steps of 1/500 of what eqs. (6)-(8) allow, until the segment fails. What it
-carried last is a point, what it failed in its colour. The script fails when a point is farther from the equations than two steps.
+Two rigid bricks with one segment between them; the upper one is moved along a straight path, in steps of 1/500 of what eqs. (6)-(8) allow,
+until the segment fails. What it carried last is a point, what it failed in its colour. The script fails when a point
+is farther from the equations than two steps.
 """
 
 import math

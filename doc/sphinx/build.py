@@ -3,8 +3,8 @@
 
     build/yade -n -x -j1 doc/sphinx/build.py [--out DIR] [options of sphinx-build]     scripts/docs.sh does this
 
-Sphinx reads from a folder of links to the repository with the pages of the reference beside them, so that nothing is written into the repository and links between
-pages are what they are on a code host. Warnings are errors.
+Sphinx reads from a folder of links to the repository with the pages of the reference beside them, so that nothing is written into the repository and
+links between pages are what they are on a code host. Warnings are errors.
 """
 
 import argparse
@@ -37,8 +37,8 @@ literature = {
                 "R. J. Guyan: Reduction of stiffness and mass matrices. AIAA Journal 3(2), 1965, 380."
 }
 
-classesText = """Names that a script has as it has YADE's own; ``help(Brick)`` shows the same. Units are SI, [-] is a number without unit. Attributes that are not
-read only can be given when an object is made, ``Brick(segments=2)``, and later."""
+classesText = """Names that a script has as it has YADE's own; ``help(Brick)`` shows the same. Units are SI, [-] is a number without unit.
+Attributes that are not read only can be given when an object is made, ``Brick(segments=2)``, and later."""
 
 pythonText = """Units are SI, [-] is a number without unit. After ``import yade_brick`` these have short names, ``yade_brick.engines`` and the like:
 

@@ -87,7 +87,8 @@ def _attribute(name, documentation):
 def _staticAttribute(cls, name, default, documentation):
 	"""As it is now, since YADE says no type of these; the word says that it is one for all objects."""
 	found = _attribute(name, documentation)
-	return found._replace(type=type(getattr(cls, name)).__name__, default=default, flags=("static", *(flag for flag in found.flags if ":yattrflags:" in documentation)))
+	flags = found.flags if ":yattrflags:" in documentation else ()
+	return found._replace(type=type(getattr(cls, name)).__name__, default=default, flags=("static", *flags))
 
 
 def _method(name, documentation, static):

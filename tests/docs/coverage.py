@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# What runs the shell commands that the documentation shows. A new command needs a row here, or the test of this folder fails; so does a row that no page shows any more.
+# What runs the shell commands that the documentation shows. A new command needs a row here, or the test of this folder fails; so does a row that no page
+# shows any more.
 """Table from commands to the tests that run them."""
 
 #: (command as a regular expression, matched from its beginning; names of tests in ctest, with * for any; what they leave out).
@@ -30,7 +31,7 @@ covered = [
         (r"build/yade (-n )?(-x )?(-j\d )?(mywall|script)\.py", ["docs.commands", "yade.testThreads"], "the window: run with -n"),
         (r"build/yade$", ["yade.*"], ""),
         (r"cmake --install build", ["yade.testInstall"], ""),
-        (r"cmake (-S . -B build )?-D YADE_SOURCE_DIR", ["abi.*"], "a source tree of YADE, which Debian does not have; abi.* compares our declarations with the running YADE"),
+        (r"cmake (-S . -B build )?-D YADE_SOURCE_DIR", ["abi.*"], "a source tree of YADE, which Debian does not have"),
         (r"cmake --build build", ["*"], "what scripts/prepare.sh ends with"),
         (r"ctest", ["*"], "what scripts/test.sh ends with"),
 ]

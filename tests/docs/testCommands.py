@@ -3,8 +3,8 @@
 
     python3 tests/docs/testCommands.py [--yade build/yade] [options of unittest]
 
-Shell commands that take long, install or build are run by the tests that coverage.py names; the others are looked at here: that what they run is there and has the
-options that they give it. Python blocks of a page are one script, run from top to bottom with the reductions below.
+Shell commands that take long, install or build are run by the tests that coverage.py names; the others are looked at here: that what they run is there
+and has the options that they give it. Python blocks of a page are one script, run from top to bottom with the reductions below.
 """
 
 import fnmatch
