@@ -45,8 +45,8 @@ Coordinates of each :yref:`Brick`: 3 translations of its centre [m], rotation ve
 		.add_property("ids", &IntactAssembly::ids, "Bodies of the bricks, in the order of their coordinates.")
 		.def("place", &IntactAssembly::place, (boost::python::arg("id")), "Index of a body's first coordinate. Raises ValueError for a body that is no brick.")
 		.add_property("held", &IntactAssembly::held, "Coordinates that blocked degrees of freedom hold.")
-		.def("stiffnessEntries", &IntactAssembly::stiffness, "Entries of the stiffness matrix that are not zero: [rows, columns, values] as bytes of int32, int32 and float64.")
-		.def("massEntries", &IntactAssembly::mass, "Likewise of the mass matrix: exact mass and inertia of the solids, lumped mass of the deformation.")
+		.def("stiffnessEntries", &IntactAssembly::stiffness, "Entries of the stiffness matrix that are not zero, for coordinates in SI units (of a translation [N/m]): [rows, columns, values] as bytes of int32, int32 and float64.")
+		.def("massEntries", &IntactAssembly::mass, "Likewise of the mass matrix: exact mass [kg] and inertia [kg m2] of the solids, lumped mass of the deformation, which is 1 [-] for each mode.")
 		.def("nodalMap", &IntactAssembly::nodalMap, (boost::python::arg("id")), "Displacement of the nodes on the surface of a brick's inner part in world axes (three rows a node: x0 y0 z0 x1 ..., as :yref:`Brick.displacement`) for each of its coordinates. The transpose takes nodal forces [N] to the coordinates. A rigid brick has its corners for nodes.")
 	);
 	// clang-format on

@@ -20,10 +20,10 @@ The joints are taken to hold, whatever their strength: those that are beyond it 
 
 Raises ValueError when bricks touch without mortar or a joint has failed in part, RuntimeError naming the brick when the structure can move freely, or finds no equilibrium; the scene is then as it was.)",
 		((Vector3r, gravity, Vector3r::Constant(NaN), Attr::triggerPostLoad, "Gravity [m/s2]; NaN: that of the scene's :yref:`NewtonIntegrator`."))
-		((Real, tolerance, 1e-6, Attr::triggerPostLoad, "Largest allowed :yref:`imbalance<StaticEquilibrium.imbalance>`, in (0, 1). Iterations go on below it as long as they help: round-off ends them."))
+		((Real, tolerance, 1e-6, Attr::triggerPostLoad, "Largest allowed :yref:`imbalance<StaticEquilibrium.imbalance>` [-], in (0, 1). Iterations go on below it as long as they help: round-off ends them."))
 		((int, mostIterations, 30, Attr::triggerPostLoad, "Iterations after which it gives up, > 0."))
 		((int, iterations, 0, Attr::readonly, "Iterations of the last call."))
-		((Real, imbalance, NaN, Attr::readonly, "What is left of the loads after the last call, in the energy norm: :math:`\\sqrt{r K^{-1} r / f K^{-1} f}` with residual r and loads f."))
+		((Real, imbalance, NaN, Attr::readonly, "What is left of the loads after the last call [-], in the energy norm: :math:`\\sqrt{r K^{-1} r / f K^{-1} f}` with residual r and loads f."))
 		((int, overloaded, 0, Attr::readonly, "Segments of mortar beyond their strength in this state."))
 		((Real, elasticEnergy, NaN, Attr::readonly, "Of joints and deformation in this state [J]."))
 	);

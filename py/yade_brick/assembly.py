@@ -43,11 +43,15 @@ class Assembly:
 	source: object
 
 	def place(self, id):
-		"""Index of a body's first coordinate."""
+		"""Index of the first coordinate of the body with this id."""
 		return self.source.place(id)
 
 	def nodalMap(self, id):
-		"""(3 nodes, coordinates of the body): displacement of the nodes on the surface of its inner part, x0 y0 z0 x1 ..., in world axes."""
+		"""Displacement of the nodes on the surface of a brick's inner part for a unit of each coordinate of that body.
+
+		:param id: of the body
+		:returns: (3 nodes, coordinates of the body): x0 y0 z0 x1 ..., in world axes [m]
+		"""
 		return np.array(self.source.nodalMap(id))
 
 	def solve(self, loads):

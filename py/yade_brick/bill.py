@@ -92,7 +92,7 @@ class Bill:
 		return spent
 
 	def facts(self):
-		"""dict for result.json: wallSeconds, simulatedSeconds, secondsPerSimulatedSecond, steps, bricks, microsecondsPerBrickStep, stages (seconds, share,
+		"""What it says, as dict for result.json: wallSeconds, simulatedSeconds, secondsPerSimulatedSecond, steps, bricks, microsecondsPerBrickStep, stages (seconds, share,
 		microsecondsPerBrickStep of each), deformableShare, dt, limit (None when no BrickTimeStepper set the step; else step, brick, level, face, partners),
 		joints, crackedJoints, contacts, residentMemory [bytes].
 
@@ -197,6 +197,7 @@ def residentMemory():
 def stepLimit(scene=None):
 	"""What limits the time step.
 
+	:param scene: where the engines and bodies are; None: O
 	:returns: None when there is no BrickTimeStepper or it has not worked yet; else dict of step, the bound before BrickTimeStepper.safety [s]; brick,
 		the id of the brick that sets it; level, how it deforms, or 'erased'; face, the one of its faces, '-x' to '+z' in its own axes, whose springs hold most of
 		the motion that limits (None when not known); partners, the bodies that touch it there, as texts. Without partners the springs
@@ -246,7 +247,11 @@ def _nearestFace(corners, point):
 
 
 def limitText(limit):
-	"""stepLimit() in words; empty for None."""
+	"""Words for what stepLimit() gives.
+
+	:param limit: that dict, or None
+	:returns: text; empty for None
+	"""
 	if limit is None:
 		return ""
 	where = f", face {limit['face']} to {' and '.join(limit['partners']) or 'its like'}" if limit["face"] else ""

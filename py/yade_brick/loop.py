@@ -84,10 +84,12 @@ class Loop(list):
 
 	@property
 	def collider(self):
+		"""The collider, None with `contact=False`."""
 		return self._first("Collider")
 
 	@property
 	def interactionLoop(self):
+		"""The InteractionLoop."""
 		return self._first("InteractionLoop")
 
 	@property
@@ -97,22 +99,27 @@ class Loop(list):
 
 	@property
 	def stepper(self):
+		"""The BrickTimeStepper or another TimeStepper, None when the step is fixed."""
 		return self._first("TimeStepper")
 
 	@property
 	def onDemand(self):
+		"""The DeformationOnDemand, None when it was not asked for."""
 		return self._first("DeformationOnDemand")
 
 	@property
 	def dynamics(self):
+		"""The BrickDynamics."""
 		return self._first("BrickDynamics")
 
 	@property
 	def ground(self):
+		"""The GroundMotion, None when there is no motion."""
 		return self._first("GroundMotion")
 
 	@property
 	def newton(self):
+		"""The NewtonIntegrator."""
 		return self._first("NewtonIntegrator")
 
 	@property

@@ -227,7 +227,9 @@ def paintOrder(corners, plane, toward):
 	Two convex bricks that do not interpenetrate are separated by (nearly always) a face plane of one of them; the one on the viewer's
 	side of it is in front. Pairs that do not overlap in the picture do not matter. Where that leaves a cycle, the farthest goes first.
 
-	:param corners: (n, 8, 3) [m]; `plane` (3, 2) and `toward` (3,): the picture's axes and the direction towards the viewer
+	:param corners: (n, 8, 3) [m]
+	:param plane: (3, 2), the picture's axes
+	:param toward: (3,), the direction towards the viewer
 	:returns: list of n indices, farthest first
 	"""
 	count = len(corners)
@@ -448,7 +450,9 @@ def historyPlot(path, time, histories, title=None, timeRange=None, width=12.0, d
 	:param path: PNG file
 	:param time: (n,) [s]
 	:param histories: dict from name to displacements (n, 3) [m]
+	:param title: text above
 	:param timeRange: (begin, end) [s] to show; by default all
+	:param width, dpi: of the picture [inches], and points an inch
 	:param styles: dict from name to what its line shall look like, in matplotlib's words, such as {"A": {"linestyle": "--", "color": "black"}}
 	:raises ValueError: for no history or one of another shape, and for the style of a history that is not there
 	"""

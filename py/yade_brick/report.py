@@ -109,12 +109,12 @@ def _plain(value, place):
 
 
 def exitStatus(rows):
-	"""0 when every row is ok, else 1: what a command that judges gives back to the shell."""
+	"""What a command that judges gives back to the shell: 0 when every one of its rows is ok, else 1."""
 	return 0 if all(row["ok"] for row in rows) else 1
 
 
 def table(rows, title=None):
-	"""The rows as text for a terminal: id, expected or limit, got, relative error, tolerance, ok. Columns are as wide as needed."""
+	"""The rows as text for a terminal, under a title: id, expected or limit, got, relative error, tolerance, ok. Columns are as wide as needed."""
 	lines = [("", "expected", "got", "error", "tolerance", "")]
 	for row in rows:
 		wanted = _number(row["expected"]) if "expected" in row else f"<= {_number(row['limit'])}"

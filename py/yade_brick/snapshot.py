@@ -34,7 +34,7 @@ def patches(bodies, colors=None):
 
 
 def worldCorners(body):
-	"""Present corners of a brick, (8, 3) [m]."""
+	"""Present corners of the brick that a body is, (8, 3) [m]."""
 	return np.array([numbers(corner) for corner in body.shape.worldCorners(body.state)])
 
 
