@@ -36,15 +36,19 @@ def _load():
 _classes = _load()
 globals().update(_classes)
 
-from . import assembly, bill, build, loop, motion, picture, progress, report, rest, snapshot
+from . import animation, assembly, bill, build, histories, loop, motion, paraview, picture, progress, report, rest, segments, snapshot
+from .animation import Film
 from .assembly import assembled
 from .bill import Bill
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
+from .histories import Histories, wallHistories
 from .loop import Loop, effects, engines
 from .motion import Motion, readAt2, readColumns, syntheticNearFault
+from .paraview import VtkRecorder
 from .picture import historyPlot, pictureSeries, wallPicture
 from .progress import runWithProgress
 from .rest import isAtRest, restState
+from .segments import SegmentRecord
 from .snapshot import JointRecord, patches
 
 # Modules stay out of `from yade_brick import *`: names such as `motion` and `report` are often a script's own.
