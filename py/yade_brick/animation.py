@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Animations without a display: frames that were recorded in a run, drawn as pictures alike (picture.py) and joined to a GIF, an MP4 or numbered PNGs. The same
 # frames give the same bytes.
-"""Animations of bricks: `Film` records and saves one, `saveFrames` draws frames that are at hand."""
+"""Animations of bricks: `Film` records and saves one, `saveFrames` draws frames that are at hand, `readFrames` takes them from files for ParaView."""
 
 import io
 import numbers
@@ -88,6 +88,62 @@ def saveFrames(path, frames, framesPerSecond=20, view="elevation", title=None, g
 	os.makedirs(path if write is _writeFolder else os.path.dirname(os.path.abspath(path)), exist_ok=True)
 	write(path, (_drawn(frame, shared) for frame in frames), framesPerSecond)
 	return path
+
+
+def readFrames(name, field=None, component=0, widest=0.02):
+	"""Frames of a series that VtkRecorder has written, for saveFrames or pictureSeries: an animation of a run that is over.
+
+	:param name: as given to VtkRecorder
+	:param field: None for brick tones, or the cell array of bricks whose numbers colour them, such as 'principalStress'
+	:param component: of a field with several numbers, from 0
+	:param widest: as in Film; without a series of joints nothing is marked
+	:returns: list of (time [s], patches, marks)
+	:raises FileNotFoundError: when there is no such series
+	:raises ValueError: for a field or component that is not there
+	"""
+	from .paraview import readPvd
+	joints = dict(readPvd(f"{name}-joints.pvd")) if os.path.exists(f"{name}-joints.pvd") else {}
+	frames = []
+	for time, file in readPvd(f"{name}-bricks.pvd"):
+		bricks, segments = (os.path.join(os.path.dirname(name), path) if path else None for path in (file, joints.get(time)))
+		frames.append((time, _patchesOf(bricks, field, component), _marksOf(segments, widest) if segments else None))
+	return frames
+
+
+def _patchesOf(path, field, component):
+	"""Bricks of a file: their corners are the first of their nodes, whatever they are drawn with."""
+	import meshio
+	mesh = meshio.read(path)
+	data = {name: np.concatenate(blocks) for name, blocks in mesh.cell_data.items()}
+	lowest = np.concatenate([block.data.min(axis=1) for block in mesh.cells])
+	colors = _componentOf(data, field, component) if field is not None else None
+	patches = []
+	for brick in dict.fromkeys(data["id"].tolist()):
+		cells = np.flatnonzero(data["id"] == brick)
+		first, fixed = lowest[cells].min(), bool(data["fixed"][cells[0]])
+		patches.append(picture.Patch(mesh.points[first:first + 8], None if colors is None or fixed else float(colors[cells[0]]), fixed))
+	return patches
+
+
+def _componentOf(data, field, component):
+	if field not in data:
+		raise ValueError(f"field is {field!r}; allowed are {', '.join(map(repr, data))}")
+	values = data[field].reshape(len(data[field]), -1)
+	if component not in range(values.shape[1]):
+		raise ValueError(f"component is {component!r}; allowed for {field!r} are 0 to {values.shape[1] - 1}")
+	return values[:, component]
+
+
+def _marksOf(path, widest):
+	import meshio
+	with open(path) as file:
+		if 'NumberOfCells="0"' in file.read(1000):
+			return None  # which meshio writes, but does not read
+	mesh = meshio.read(path)
+	state, opening, slip = (mesh.cell_data[name][0] for name in ("state", "opening", "slip"))
+	near = np.hypot(opening, np.linalg.norm(slip, axis=1)) <= widest
+	middles = mesh.points[mesh.cells[0].data].mean(axis=1)
+	return picture.Marks(middles[near], state[near])
 
 
 def _writer(path):

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # A film of a running scene: what it keeps at each call, and that it becomes a file. How files are drawn is tested in tests/python/test_animation.py.
-import os, tempfile, unittest
+import io, os, tempfile, unittest
 
 from yade import *
 from yade import Vector3
 import numpy as np
 from PIL import Image
 from testSnapshot import couplet
-from yade_brick import Film, runWithProgress
+from testVtk import scene, column
+from yade_brick import animation, brick, Film, runWithProgress, VtkRecorder
 
 
 class Films(unittest.TestCase):
@@ -17,7 +18,7 @@ class Films(unittest.TestCase):
 		film = Film(colors=lambda body: body.state.pos[2])
 		film()
 		wall.bodies[1].state.vel = Vector3(0, 0, 1)
-		runWithProgress(duration=.01, every=.005, callback=film, stream=open(os.devnull, 'w'))
+		runWithProgress(duration=.01, every=.005, callback=film, stream=io.StringIO())
 		times, patches, marks = zip(*film.frames)
 		self.assertEqual(len(times), 3)
 		np.testing.assert_allclose(np.array(times) - times[0], [0, .005, .01], atol=2.1e-5)  # a step
@@ -49,3 +50,31 @@ class Films(unittest.TestCase):
 			with Image.open(film.save(os.path.join(folder, 'new', 'film.gif'), width=4, dpi=50)) as image:
 				# the pictures differ by their time alone, which shows hundredths of a second
 				self.assertEqual(image.size[0], 200)
+
+
+class FromFiles(unittest.TestCase):
+
+	def test_files_for_paraview_give_the_same_frames(self):
+		bodies = scene(lambda clay: column(clay) + [brick((.2, .2, .2), center=(1, 0, .1), material=clay, deformation='refined', cells=2, fixed=True)])
+		with tempfile.TemporaryDirectory() as folder:
+			name = os.path.join(folder, 'run')
+			film, recorder = Film(colors=lambda body: body.shape.stress()[2]), VtkRecorder(name)
+			for _ in range(2):
+				film(), recorder()
+				bodies[2].state.vel = Vector3(0, 0, 1)
+				O.run(100, True)
+			frames = animation.readFrames(name, 'stress', 8)
+			self.assertEqual([time for time, *_ in frames], [time for time, *_ in film.frames])
+			for (_, got, marks), (_, expected, expectedMarks) in zip(frames, film.frames):
+				for patch, other in zip(got, expected):
+					np.testing.assert_allclose(patch.corners, other.corners, atol=1e-14)
+					self.assertEqual(patch.support, other.support)
+				# upright bricks: the stress along z is that of the world's axes
+				np.testing.assert_allclose([patch.color for patch in got[:2]], [patch.color for patch in expected[:2]], rtol=1e-6)
+				self.assertEqual((len(marks.states), sorted(marks.states)), (len(expectedMarks.states), sorted(expectedMarks.states)))
+			with self.assertRaisesRegex(ValueError, "field is 'strain'"):
+				animation.readFrames(name, 'strain')
+			with self.assertRaisesRegex(ValueError, 'component is 9'):
+				animation.readFrames(name, 'stress', 9)
+			with self.assertRaises(FileNotFoundError):
+				animation.readFrames(name + 'x')
