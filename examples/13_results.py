@@ -77,6 +77,9 @@ class Record:
 
 	def look(self):
 		self.histories()
+		cracks = sum(self.histories[f"failed in {mode}"] for mode in ("tension", "shear", "compression"))
+		if cracks[-2:-1].sum() < cracks[-1]:
+			self.vtk.look(), self.film.look()  # how joints fail that are gone by the next frame
 		if self.pending and O.time >= self.pending[0] - O.dt:
 			self.pending.pop(0)
 			self.vtk(), self.film()

@@ -46,6 +46,11 @@ class Film:
 			self.frames.pop()
 		self.frames.append((O.time, patches, self._present() if self.marks else None))
 
+	def look(self):
+		"""Looks at the joints and keeps no frame: called often enough, no segment fails in a way that was not seen."""
+		if self.marks:
+			self._present()
+
 	def _present(self):
 		from yade import BrickPhys, O
 		from .snapshot import JointRecord

@@ -56,7 +56,7 @@ class VtkRecorder:
 		self.stableStep, self.name = stableStep, name
 		kinds = ["bricks"] + ["joints"] * joints + ["contacts"] * contacts
 		self._series = {kind: _Series(name, kind, resume) for kind in kinds}
-		self._recordPath = f"{name}-frames/segments.npz"
+		self._recordPath, self._recorded = f"{name}-frames/segments.npz", None
 		self.segments = SegmentRecord.load(self._recordPath) if resume and joints and os.path.exists(self._recordPath) else SegmentRecord()
 
 	def __call__(self):
@@ -70,9 +70,20 @@ class VtkRecorder:
 		meshes = {kind: made[kind]() for kind in self._series}  # all before the first is written
 		paths = [self._series[kind].write(O.time, mesh) for kind, mesh in meshes.items()]
 		if "joints" in self._series:
+			self._keepRecord()
+		return paths
+
+	def _keepRecord(self):
+		"""Keeps what a run that goes on needs of joints that are gone; where the others are, it sees itself."""
+		known = len(self.segments), int(self.segments.joined.sum())
+		if known != self._recorded:
 			with _replacing(self._recordPath) as path:
 				self.segments.save(path)
-		return paths
+			self._recorded = known
+
+	def look(self):
+		"""Looks at the joints and writes nothing: called often enough between frames, no segment fails in a way that was not seen."""
+		self.segments.update()
 
 	def _jointMesh(self):
 		self.segments.update()

@@ -20,7 +20,7 @@ def adobe(strength=1):
 
 
 def scene(bodies, strength=1e3, **options):
-	"""Bodies on a floor (body 0) with mortar, at rest under their weight."""
+	"""Bodies on a floor (body 0) with mortar, at rest under their weight where all are joined."""
 	O.reset()
 	clay = adobe(strength)
 	O.bodies.append(utils.wall(0, axis=2, sense=1, material=clay))
@@ -28,7 +28,8 @@ def scene(bodies, strength=1e3, **options):
 	O.bodies.append(found)
 	O.engines = engines(**options)
 	MortarJoints()()
-	StaticEquilibrium()()
+	if all(body.material.mortar for body in found):
+		StaticEquilibrium()()
 	O.step()
 	return found
 
@@ -301,6 +302,18 @@ class Joints(Written):
 		seen.update(), blind.update()
 		self.assertEqual((set(seen.state), set(blind.state)), ({2}, {4}))
 
+	def test_looks_between_frames_see_how_segments_fail(self):
+		wall = self.rigidCouplet((0, 0, 0), tensileStrength=1e3)
+		recorder = VtkRecorder(self.name, contacts=False)
+		recorder()
+		wall.bodies[1].state.vel = Vector3(0, 0, 1)
+		while O.interactions.has(0, 1) and O.interactions[0, 1].isReal:
+			O.step()
+			recorder.look()
+		_, read = [Read(path) for path in recorder()]
+		self.assertEqual(set(read.cellData['state']), {1})
+		self.assertEqual(len(paraview.readPvd(f'{self.name}-joints.pvd')), 2)
+
 	def test_properties_of_segments_need_a_step_and_their_own_geometry(self):
 		wall = couplet()
 		phys = O.interactions[0, 1].phys
@@ -322,7 +335,7 @@ class Contacts(Written):
 		np.testing.assert_allclose(onBrick, [0, 0, 14.4 * 9.8], atol=.02 * 14.4 * 9.8)  # nearly at rest
 		np.testing.assert_allclose(read.cellData['normalForce'] + read.cellData['shearForce'], read.cellData['force'])
 		np.testing.assert_allclose(read.points[0], [0, 0, 0], atol=1e-3)
-		self.assertAlmostEqual(read.cellData['area'][0], .04, places=6)
+		self.assertAlmostEqual(read.cellData['area'][0], .04, delta=1e-5)  # the brick bulges by 1e-5 of its edge
 
 
 class Series(Written):
