@@ -24,7 +24,7 @@ class VtkRecorder:
 	first two:
 
 	- bricks: hexahedra with their deformed corners, of a refined brick the faces of the elements on its surface. ``displacement`` of the nodes since the
-	  brick was laid (State.refPos, refOri), ``velocity``; ``stress`` (mean of the brick, tension positive, XX XY XZ YX ...), ``principalStress`` (three,
+	  brick was laid (State.refPos, refOri), ``velocity``; ``stress`` (mean of the brick, tension positive, XX YY ZZ XY YZ XZ), ``principalStress`` (three,
 	  largest first), ``elasticEnergy``, ``kineticEnergy`` (rigid motion and deformation), ``id``, ``level`` (0 rigid, 1 uniform, 2 trilinear, 3 refined),
 	  ``share`` (see Brick.share), ``fixed``, ``limiting`` (1: sets the time step), ``stableStep`` (NaN where fixed).
 	- joints: a quadrilateral for each segment of mortar, also of joints that have failed altogether, see SegmentRecord. ``displacement`` of its
@@ -218,7 +218,7 @@ def _motionData(bricks, motion):
 	        "level": np.array([levels[shape.deformation] for shape in shapes]),
 	        "share": np.array([shape.share for shape in shapes]),
 	        "fixed": np.array([int(not body.dynamic) for body in bricks]),
-	        "stress": stress.reshape(-1, 9),
+	        "stress": stress[:, [0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]],  # the order that ParaView names XX YY ZZ XY YZ XZ
 	        "principalStress": _principal(stress),
 	        "elasticEnergy": np.array([shape.elasticEnergy() for shape in shapes]),
 	        "kineticEnergy": rigidKinetic + [shape.kineticEnergy() for shape in shapes],
