@@ -46,7 +46,8 @@ def options():
 
 def pulse(pga):
 	"""One cycle of 1.5 Hz."""
-	return yade_brick.Motion(0.01, [(pga * math.sin(2 * math.pi * 1.5 * 0.01 * i) if i < 67 else 0, 0, 0) for i in range(80)], "one synthetic cycle of 1.5 Hz")
+	samples = [(pga * math.sin(2 * math.pi * 1.5 * 0.01 * i) if i < 67 else 0, 0, 0) for i in range(80)]
+	return yade_brick.Motion(0.01, samples, "one synthetic cycle of 1.5 Hz")
 
 
 def buildWall(motion):

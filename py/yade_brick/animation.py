@@ -71,7 +71,7 @@ def saveFrames(path, frames, framesPerSecond=20, view="elevation", title=None, g
 
 	:param path: '.gif'; '.mp4', for which the program ffmpeg has to be installed; or a folder, for frame-000000.png and so on
 	:param frames: list of (time [s] or None, bricks, marks or None), as in pictureSeries
-	:param framesPerSecond: > 0; frames that were taken every 0.05 s run in real time at 20. GIF counts in hundredths of a second, and viewers slow down above 50
+	:param framesPerSecond: > 0; frames that were taken every 0.05 s run in real time at 20. GIF counts in hundredths of a second; viewers slow down above 50
 	:param limits: (left, right, bottom, top) [m] in the picture's plane; by default around all bricks of all frames
 	:param colorRange: (lowest, highest) of the colour scale; by default those of all frames
 	:param width: [inches]; the height follows

@@ -19,8 +19,8 @@ axes = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 class Histories:
 	"""Columns that are measured at each call: now, as ``PyRunner(command='histories()', virtPeriod=.01)``, or as callback of `runWithProgress`.
 
-	Each sample also goes to yade.plot, so that plot.plots and plot.saveDataTxt work: under `plotName` of its heading, 'base shear [N]' as baseShear, the
-	time as t. A second call at the same time replaces the sample.
+	Each sample also goes to yade.plot, so that plot.plots and plot.saveDataTxt work: under `plotName` of its heading, 'base shear [N]' as baseShear, time
+	as t. A second call at the same time replaces the sample.
 
 	:param columns: dict from heading, a name with its unit in brackets such as 'top displacement [m]', to a function without arguments that returns a number
 	:param plot: whether samples go to yade.plot too
@@ -44,7 +44,8 @@ class Histories:
 			raise ValueError(f"column {heading!r} is {measure!r}; allowed is a function without arguments that returns a number")
 		taken = next((other for other in self._samples if other != heading and plotName(other) == plotName(heading)), None)
 		if taken or heading == timeHeading:
-			raise ValueError(f"heading {heading!r} has the name {plotName(heading)} in yade.plot, as {taken or timeHeading!r}; allowed are different ones")
+			name = plotName(heading)
+			raise ValueError(f"heading {heading!r} has the name {name} in yade.plot, as {taken or timeHeading!r}; allowed are different ones")
 		self._measures[heading] = measure
 		self._samples[heading] = [math.nan] * len(self)
 
@@ -209,7 +210,7 @@ def baseShear(supports, along="x"):
 	It is positive when the structure pushes its supports that way. With z'' the ground acceleration in a scene that is seen from the ground, the momentum
 	balance  sum m (a + z'') + V = 0  holds for the bodies between the supports, gravity left out: V is what earthquake engineering calls base shear.
 
-	:param supports: a body or a list of them; forces between two of them do not count
+	:param supports: a body or a list of them
 	"""
 	supports, along = _bodies(supports, "supports"), direction(along)
 
@@ -225,13 +226,13 @@ def axialLoad(supports):
 
 
 def _forceOn(supports):
-	"""Force of joints and contacts on bodies from others, world axes [N]."""
+	"""Force of joints and contacts on bodies, world axes [N]; what two of them do to each other cancels."""
 	from yade import BrickPhys
-	ids, total = {body.id for body in supports}, np.zeros(3)
+	total = np.zeros(3)
 	for body in supports:
 		for interaction in body.intrs():
 			phys = interaction.phys
-			if isinstance(phys, BrickPhys) and not {interaction.id1, interaction.id2} <= ids:
+			if isinstance(phys, BrickPhys):
 				force = np.array(numbers(phys.normalForce)) + numbers(phys.shearForce)  # on id2
 				total += force if interaction.id2 == body.id else -force
 	return total

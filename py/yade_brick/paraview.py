@@ -30,10 +30,11 @@ class VtkRecorder:
 	- joints: a quadrilateral for each segment of mortar, also of joints that have failed altogether, see SegmentRecord. ``displacement`` of its
 	  corners likewise; ``state`` (0 intact, failed in 1 tension, 2 shear, 3 compression, 4 unseen), ``joined`` (0: nothing of its joint holds), ``normal``,
 	  ``opening``, ``slip``, ``normalStress``, ``shearStress``, ``utilisation``, ``area``, ``id1``, ``id2``, ``segment``.
-	- contacts: a point for each ordinary contact, with ``force`` on the body id2, ``normalForce``, ``shearForce``, ``normal``, ``area``, ``penetration``, ``id1``, ``id2``.
+	- contacts: a point for each ordinary contact, with ``force`` on the body id2, ``normalForce``, ``shearForce``, ``normal``, ``area``, ``penetration``,
+	  ``id1``, ``id2``.
 
-	Stress of rigid bricks is zero, and unknown (NaN) before the first step. Places are deformed ones: to exaggerate by a factor f, warp by displacement with
-	f - 1. Bricks are where the last step has brought them, joints and contacts where they were in it.
+	Stress of rigid bricks is zero, and unknown (NaN) before the first step. Places are deformed ones: to exaggerate by a factor f, warp by displacement
+	with f - 1. Bricks are where the last step has brought them, joints and contacts where they were in it.
 
 	:param name: of the files, with a folder if wanted, which is made: 'out/wall'
 	:param joints: whether to write them

@@ -121,7 +121,10 @@ def pictureSeries(
 
 
 def sharedLimits(frames, view="elevation", ground=0.0):
-	"""Limits that hold all bricks of all frames, for pictures of a series: (left, right, bottom, top) in the picture's plane [m]; arguments as in pictureSeries."""
+	"""Limits that hold all bricks of all frames, for pictures of a series: (left, right, bottom, top) in the picture's plane [m].
+
+	:param frames, view, ground: as in pictureSeries
+	"""
 	frames = [(None, _checkedPatches(bricks), None) for _, bricks, _ in _sequence(frames, "frames")]
 	_needBricks(frames)
 	right, up, _ = _viewAxes(view)

@@ -17,9 +17,9 @@ unseen = 4
 class SegmentRecord:
 	"""The segments of all joints that were ever seen, in a fixed order; `update` looks at the scene, at the joints as they were in the last step.
 
-	Side 0 of a joint is the support, or the brick with the lower id; normals point from there to side 1, and so do opening and slip. Of a joint that is gone
-	(all its segments have failed) the segments stay on the face of side 0: opening and slip are then those of the bodies' rigid motion, stresses are zero,
-	since what acts there is ordinary contact. Where one of the two bodies was erased they stay where they were.
+	Side 0 of a joint is the support, or the brick with the lower id; normals point from there to side 1; opening and slip are those of side 1. Of a joint
+	that is gone (all its segments have failed) the segments stay on the face of side 0: opening and slip are then those of the bodies' rigid motion,
+	stresses are zero, since what acts there is ordinary contact. Where one of the two bodies was erased they stay where they were.
 
 	n segments, all read only:
 

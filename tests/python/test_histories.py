@@ -24,8 +24,9 @@ class Names(unittest.TestCase):
 
 	def test_columns_of_a_panel_share_words(self):
 		for names, expected in (
-		        (["kinetic energy", "elastic energy"], ("energy", ["kinetic", "elastic"])), (["failed in shear", "failed in tension"], ("failed in", ["shear", "tension"])),
-		        (["drift", "drift 1"], ("drift", ["drift", "1"])), (["base shear", "axial load"], ("", ["base shear", "axial load"])), (["drift"], ("drift", ["drift"])),
+		        (["kinetic energy", "elastic energy"], ("energy", ["kinetic", "elastic"])),
+		        (["failed in shear", "failed in tension"], ("failed in", ["shear", "tension"])), (["drift", "drift 1"], ("drift", ["drift", "1"])),
+		        (["base shear", "axial load"], ("", ["base shear", "axial load"])), (["drift"], ("drift", ["drift"])),
 		):
 			self.assertEqual(histories._sharedName(names), expected)
 

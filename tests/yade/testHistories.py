@@ -11,7 +11,7 @@ phi = math.radians(32)
 
 
 def laidWall(columns=2, courses=3, strong=True, ground=None, dt=2e-4, floor=True, **options):
-	"""A wall of rigid bricks on the floor (body 0) with its mortar; strong mortar does not fail here. The step is stable for bricks of 0.2 m with some margin."""
+	"""A wall of rigid bricks on the floor (body 0) with its mortar, which does not fail here where it is strong. The step is stable with some margin."""
 	O.reset()
 	plot.resetData()
 	scale = 1e3 if strong else 1
@@ -89,7 +89,7 @@ class BaseShear(unittest.TestCase):
 		self.assertAlmostEqual(shear(), 600, delta=2e-3)
 		self.assertAlmostEqual(axial(), weight, delta=2e-3)
 
-	def test_forces_between_supports_do_not_count(self):
+	def test_forces_on_several_supports_add_up(self):
 		wall = laidWall()
 		for body in wall.courses[0]:
 			body.dynamic = False
