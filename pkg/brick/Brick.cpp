@@ -431,6 +431,18 @@ std::vector<Vector3r> Brick::worldCorners(const shared_ptr<State>& state) const
 	return out;
 }
 
+std::vector<Vector3r> Brick::worldVelocities(const shared_ptr<State>& state) const
+{
+	if (!state) throw std::invalid_argument("state is None; it must be the State of the brick's body");
+	std::vector<Vector3r> out, deforming(displacement.size());
+	if (inside && !displacement.empty()) nodesFrom(inside->columns, rates, deforming);
+	for (int a = 0; a < (corners.empty() ? 0 : surfaceNodes()); ++a) {
+		const Vector3r arm = state->ori * deformedNode(a);
+		out.push_back(state->vel + state->angVel.cross(arm) + (deforming.empty() ? Vector3r::Zero() : Vector3r(state->ori * deforming[a])));
+	}
+	return out;
+}
+
 Vector6r Brick::stress() const
 {
 	if (!isDeformable()) return Vector6r::Zero();

@@ -106,6 +106,7 @@ public:
 
 	/// Deformed corners in world axes, in the order of `corners` [m].
 	std::vector<Vector3r>      worldCorners(const shared_ptr<State>& state) const;
+	std::vector<Vector3r>      worldVelocities(const shared_ptr<State>& state) const;
 	Vector6r                   stress() const;
 	Real                       volume() const;
 	static boost::python::dict solidProperties(const std::vector<Vector3r>& corners);
@@ -144,6 +145,7 @@ Limitations: small strain in the co-rotated frame; inertia forces of the rotatio
 		/*ctor*/ createIndex();,
 		/*py*/
 		.def("worldCorners", &Brick::worldCorners, (boost::python::arg("state")), "Deformed corners in world axes for the given state [m], in the order of corners.")
+		.def("worldVelocities", &Brick::worldVelocities, (boost::python::arg("state")), "Velocities of the nodes on the surface in world axes, half a step before, rigid motion and deformation together [m/s]; in the order of displacement: the corners first.")
 		.def("stress", &Brick::stress, "Mean stress of the inner part in body axes [Pa], tension positive: xx, yy, zz, xy, yz, zx. Zero for a rigid brick; NaN before the first step after making or loading, when the material is not known yet.")
 		.def("elasticEnergy", &Brick::elasticEnergy, "Elastic energy of the deformation [J]; zero for a rigid brick, NaN as stress.")
 		.def("kineticEnergy", &Brick::kineticEnergy, "Kinetic energy of the deformation, half a step before [J]; that of the rigid motion is not in it.")

@@ -5,6 +5,7 @@
 #include "Stopwatch.hpp"
 
 #include "kernel/Message.hpp"
+#include "kernel/Utilisation.hpp"
 
 #include <core/Body.hpp>
 #include <core/Omega.hpp>
@@ -382,6 +383,58 @@ std::vector<Vector3r> BrickPhys::shearStress(const shared_ptr<BrickGeom>& geom) 
 {
 	needPresent(*this, geom);
 	return ofSegments<Vector3r>([&](int s) { return brick::segmentTraction(joint, s, geom->motion, springs().tanFriction).shear; });
+}
+
+std::vector<Real> BrickPhys::opening(const shared_ptr<BrickGeom>& geom) const
+{
+	needPresent(*this, geom);
+	return ofSegments<Real>([&](int s) { return brick::segmentOpening(joint, s, geom->motion).dot(geom->motion.normal); });
+}
+
+std::vector<Vector3r> BrickPhys::slip(const shared_ptr<BrickGeom>& geom) const
+{
+	needPresent(*this, geom);
+	const Vector3r& normal = geom->motion.normal;
+	return ofSegments<Vector3r>([&](int s) {
+		const Vector3r opening = brick::segmentOpening(joint, s, geom->motion);
+		return Vector3r(opening - opening.dot(normal) * normal);
+	});
+}
+
+std::vector<Real> BrickPhys::utilisation(const shared_ptr<BrickGeom>& geom) const
+{
+	needPresent(*this, geom);
+	return ofSegments<Real>([&](int s) { return brick::segmentUtilisation(joint, geom->motion, s); });
+}
+
+std::vector<Vector3r> BrickPhys::segmentOutlines(const shared_ptr<BrickGeom>& geom) const
+{
+	needPresent(*this, geom);
+	std::vector<Vector3r> out;
+	for (int s = 0; s < joint.count(); ++s)
+		for (const Vector3r& corner : brick::segmentOutline(joint, s, geom->motion))
+			out.push_back(geom->origin + corner);
+	return out;
+}
+
+boost::python::object BrickPhys::segmentTable(const shared_ptr<BrickGeom>& geom) const
+{
+	const auto            outlines = segmentOutlines(geom), points = segmentPoints(geom), slips = slip(geom), shears = shearStress(geom);
+	const auto            openings = opening(geom), normals = normalStress(geom), shares = utilisation(geom);
+	std::vector<Real>     table;
+	const auto            add = [&table](const Vector3r& v) { table.insert(table.end(), v.data(), v.data() + 3); };
+	for (std::size_t s = 0; s < points.size(); ++s) {
+		for (std::size_t c = 0; c < 4; ++c)
+			add(outlines[4 * s + c]);
+		add(points[s]);
+		table.push_back(openings[s]);
+		add(slips[s]);
+		table.push_back(normals[s]);
+		add(shears[s]);
+		table.push_back(shares[s]);
+	}
+	const char* const bytes = reinterpret_cast<const char*>(table.data());
+	return boost::python::object(boost::python::handle<>(PyBytes_FromStringAndSize(bytes, Py_ssize_t(table.size() * sizeof(Real)))));
 }
 
 Real BrickPhys::elasticEnergy(const shared_ptr<BrickGeom>& geom) const

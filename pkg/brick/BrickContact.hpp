@@ -86,6 +86,11 @@ public:
 	std::vector<Vector3r> segmentPoints(const shared_ptr<BrickGeom>&) const;
 	std::vector<Real>     normalStress(const shared_ptr<BrickGeom>&) const;
 	std::vector<Vector3r> shearStress(const shared_ptr<BrickGeom>&) const;
+	std::vector<Real>     opening(const shared_ptr<BrickGeom>&) const;
+	std::vector<Vector3r> slip(const shared_ptr<BrickGeom>&) const;
+	std::vector<Real>     utilisation(const shared_ptr<BrickGeom>&) const;
+	std::vector<Vector3r> segmentOutlines(const shared_ptr<BrickGeom>&) const;
+	boost::python::object segmentTable(const shared_ptr<BrickGeom>&) const;
 	Real                  elasticEnergy(const shared_ptr<BrickGeom>&) const;
 
 	/// A value for each segment of the joint.
@@ -113,6 +118,11 @@ public:
 		.def("segmentPoints", &BrickPhys::segmentPoints, (boost::python::arg("geom")), "Place of each segment of a joint in the last step, world axes [m].")
 		.def("normalStress", &BrickPhys::normalStress, (boost::python::arg("geom")), "Normal stress of each segment of a joint in the last step, tension positive, dashpots left out [Pa].")
 		.def("shearStress", &BrickPhys::shearStress, (boost::python::arg("geom")), "Shear stress of each segment of a joint in the last step, acting on the body with the lower id (or the support), world axes [Pa].")
+		.def("opening", &BrickPhys::opening, (boost::python::arg("geom")), "By how much the two sides of each segment of a joint have moved apart since they were joined, along the normal, in the last step [m]; negative where they are pressed together.")
+		.def("slip", &BrickPhys::slip, (boost::python::arg("geom")), "How far the second body (that with the higher id, or the brick on a support) has moved along the joint against the first since they were joined, at the middle of each segment, in the last step, world axes [m].")
+		.def("utilisation", &BrickPhys::utilisation, (boost::python::arg("geom")), "Stress of each segment of a joint in the last step as a share of the mortar's strength, in the mode that is nearest to failure [-]; 0 for one that has failed.")
+		.def("segmentOutlines", &BrickPhys::segmentOutlines, (boost::python::arg("geom")), "Four corners of each segment of a joint in the last step, midway between its sides, one segment after the other, world axes [m]. A segment that the border of the joint cuts is shown as a rectangle of the same middle and area.")
+		.def("segmentTable", &BrickPhys::segmentTable, (boost::python::arg("geom")), "All of this at once, for results of many joints: bytes of float64, 24 for each segment: its outline (12), place (3), opening, slip (3), normal stress, shear stress (3), utilisation.")
 		.def("elasticEnergy", &BrickPhys::elasticEnergy, (boost::python::arg("geom")), "Elastic energy of the springs of this joint or contact in the last step [J].")
 	);
 	// clang-format on

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "BrickTimeStepper.hpp"
 
+#include <core/Omega.hpp>
+
 namespace yade {
 
 YADE_PLUGIN((BrickTimeStepper));
@@ -19,6 +21,13 @@ void BrickTimeStepper::computeTimeStep(Scene* scene)
 	present.update(*scene);
 	limit = present.seconds, limitingBrick = present.brickId, limitingFace = present.face;
 	if (limit < std::numeric_limits<Real>::infinity()) scene->dt = safety * limit;
+}
+
+Real BrickTimeStepper::stableStep(int id)
+{
+	Scene& now = *Omega::instance().getScene();
+	if (id < 0 || !now.bodies->exists(id)) throw std::out_of_range("BrickTimeStepper.stableStep: there is no body #" + std::to_string(id));
+	return present.ofBrick(*Body::byId(id, &now), now);
 }
 
 } // namespace yade

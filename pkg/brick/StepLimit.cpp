@@ -156,4 +156,13 @@ void StepLimit::update(Scene& scene)
 	}
 }
 
+Real StepLimit::ofBrick(const Body& b, Scene& scene)
+{
+	Brick*      shape    = asBrick(b.shape);
+	const auto* material = asBrickMat(b.material);
+	if (!shape || !shape->solid || !material || !movesFreely(b)) return std::numeric_limits<Real>::infinity();
+	dashpots.reset();
+	return stepOf(b, *shape, *material, partnersOf(b, *shape, *material, &scene)).seconds;
+}
+
 } // namespace yade

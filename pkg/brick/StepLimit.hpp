@@ -21,6 +21,9 @@ public:
 	/// Takes in what has changed. Costs little for bricks that nothing was changed at.
 	void update(Scene&);
 
+	/// Of one brick, as it is joined and touched at present [s]. Infinite for a body that is no brick or does not move freely.
+	Real ofBrick(const Body&, Scene&);
+
 private:
 	/// The stiffest springs and dashpots that one face of a brick has, by area; twice those to bodies that can move (kernel/StableStep).
 	struct FacePartners {

@@ -36,19 +36,26 @@ def _load():
 _classes = _load()
 globals().update(_classes)
 
-from . import arches, assembly, bill, build, faces, joints, loop, masonryCheck, mesh, motion, picture, progress, report, rest, snapshot, solids
+from . import (
+        animation, arches, assembly, bill, build, faces, histories, joints, loop, masonryCheck, mesh, motion, paraview, picture, progress, report, rest,
+        segments, snapshot, solids
+)
+from .animation import Film
 from .arches import Arch, Piers, arch, barrelVault, ellipticalLine, pointedLine, segmentalLine, semicircularLine
 from .assembly import assembled
 from .bill import Bill
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
+from .histories import Histories, wallHistories
 from .joints import JointList, layMortar, listJoints
 from .loop import Loop, effects, engines
 from .masonryCheck import MasonryCheck, checkMasonry
 from .mesh import MeshBricks, readBricks, writeBricks
 from .motion import Motion, readAt2, readColumns, syntheticNearFault
+from .paraview import VtkRecorder
 from .picture import historyPlot, pictureSeries, wallPicture
 from .progress import runWithProgress
 from .rest import isAtRest, restState
+from .segments import SegmentRecord
 from .snapshot import JointRecord, patches
 
 # Modules stay out of `from yade_brick import *`: names such as `motion` and `report` are often a script's own.

@@ -61,7 +61,8 @@ _markSize = 4.5  # [points] in a picture 8 inches wide
 
 
 def wallPicture(
-        path, bricks, marks=None, view="elevation", title=None, time=None, ground=0.0, limits=None, colorLabel=None, colorRange=None, width=8.0, dpi=150
+        path, bricks, marks=None, view="elevation", title=None, time=None, ground=0.0, limits=None, colorLabel=None, colorRange=None, width=8.0, dpi=150,
+        legend=()
 ):
 	"""Saves a picture of bricks, seen from far away without perspective; what is in front hides what is behind.
 
@@ -77,13 +78,15 @@ def wallPicture(
 	:param colorRange: (lowest, highest) of the colour scale; by default those of the bricks
 	:param width: [inches]; the height follows
 	:param dpi: pixels per inch
+	:param legend: states of marks to explain below also where there are none, so that pictures of a series are laid out alike
 	:raises ValueError: for no brick, corners of another shape or not finite, an unknown view, empty limits, states without points
 	"""
-	pictureSeries(path, [(time, bricks, marks)], view, title, ground, limits, colorLabel, colorRange, 1, width, dpi)
+	pictureSeries(path, [(time, bricks, marks)], view, title, ground, limits, colorLabel, colorRange, 1, width, dpi, legend=legend)
 
 
 def pictureSeries(
-        path, frames, view="elevation", title=None, ground=0.0, limits=None, colorLabel=None, colorRange=None, columns=3, width=12.0, dpi=120, rowLabels=()
+        path, frames, view="elevation", title=None, ground=0.0, limits=None, colorLabel=None, colorRange=None, columns=3, width=12.0, dpi=120, rowLabels=(),
+        legend=()
 ):
 	"""Saves several pictures side by side, in the same scale and limits.
 
@@ -93,8 +96,7 @@ def pictureSeries(
 	:param width: of the whole [inches]; the others as in wallPicture
 	"""
 	frames = [(_checkedNumber(time, "time", None), _checkedPatches(bricks), _checkedMarks(marks)) for time, bricks, marks in _sequence(frames, "frames")]
-	if not frames or not all(bricks for _, bricks, _ in frames):
-		raise ValueError("there is nothing to draw; at least one frame with at least one brick is needed")
+	_needBricks(frames)
 	if not isinstance(columns, numbers.Integral) or columns < 1:
 		raise ValueError(f"columns is {columns!r}; allowed is a whole number, at least 1")
 	_checkSize(width, dpi)
@@ -114,11 +116,27 @@ def pictureSeries(
 		ax.set_title(",  ".join(text for text in texts if text), fontsize=_fontSize + 1)
 	if title and len(frames) > 1:
 		figure.suptitle(title, fontsize=_fontSize + 3)
-	_addLegends(figure, axes, [marks for _, _, marks in frames], scale, colorLabel)
+	_addLegends(figure, axes, {*legend, *(state for _, _, marks in frames for state in marks.states.tolist())}, scale, colorLabel)
 	figure.savefig(path, format="png")
 
 
+def sharedLimits(frames, view="elevation", ground=0.0):
+	"""Limits that hold all bricks of all frames, for pictures of a series: (left, right, bottom, top) in the picture's plane [m].
+
+	:param frames, view, ground: as in pictureSeries
+	"""
+	frames = [(None, _checkedPatches(bricks), None) for _, bricks, _ in _sequence(frames, "frames")]
+	_needBricks(frames)
+	right, up, _ = _viewAxes(view)
+	return _limitsAround([brick for _, bricks, _ in frames for brick in bricks], np.column_stack([right, up]), _checkedNumber(ground, "ground", None), up)
+
+
 # What is given
+
+
+def _needBricks(frames):
+	if not frames or not all(bricks for _, bricks, _ in frames):
+		raise ValueError("there is nothing to draw; at least one frame with at least one brick is needed")
 
 
 def _checkedNumber(value, name, default):
@@ -344,6 +362,7 @@ def _dressAxes(ax, limits, right, up, toward):
 	ax.set_xlim(limits[0], limits[1])
 	ax.set_ylim(limits[2], limits[3])
 	ax.set_aspect("equal")
+	ax.grid(False)  # which yade.plot switches on for all
 	names = [_axisName(right), _axisName(up)]
 	if all(names):
 		ax.set_xlabel(f"{names[0]} [m]", fontsize=_fontSize)
@@ -405,11 +424,10 @@ def _panels(count, columns, width, limits, dpi):
 	return figure, list(grid[:count])
 
 
-def _addLegends(figure, axes, marks, scale, colorLabel):
-	present = set(np.concatenate([frame.states for frame in marks]).tolist())
+def _addLegends(figure, axes, states, scale, colorLabel):
 	handles = [
 	        Line2D([], [], linestyle="", marker="o", markersize=7, color=color, markeredgecolor="#2b2b2b", label=name)
-	        for state, (color, name) in failureModes.items() if state in present
+	        for state, (color, name) in failureModes.items() if state in states
 	]
 	if handles:
 		_legendBelow(figure, handles, [handle.get_label() for handle in handles])

@@ -41,13 +41,21 @@ def restState():
 
 def energies(bricks):
 	"""Kinetic and elastic energy of the scene [J], see RestState; of its bricks, whose shapes are given, and of their joints and contacts."""
+	return kineticEnergy(bricks), elasticEnergy(bricks)
+
+
+def kineticEnergy(bricks):
+	"""Of the scene [J]: of all rigid motion, and of the deformation of the bricks whose shapes are given."""
+	from yade.utils import kineticEnergy as ofRigidMotion
+	return ofRigidMotion() + sum([shape.kineticEnergy() for shape in bricks])
+
+
+def elasticEnergy(bricks):
+	"""Of the bricks whose shapes are given, and of all joints and contacts of bricks in the scene [J]."""
 	from yade import BrickPhys, O
-	from yade.utils import kineticEnergy
-	kinetic = kineticEnergy() + sum([shape.kineticEnergy() for shape in bricks])
-	elastic = sum([shape.elasticEnergy() for shape in bricks])
 	# each attribute is read once: every reading makes a Python object, and recordings come here often
-	elastic += sum([phys.elasticEnergy(i.geom) for i in O.interactions.all(onlyReal=True) if isinstance(phys := i.phys, BrickPhys)])
-	return kinetic, elastic
+	springs = sum([phys.elasticEnergy(i.geom) for i in O.interactions.all(onlyReal=True) if isinstance(phys := i.phys, BrickPhys)])
+	return sum([shape.elasticEnergy() for shape in bricks]) + springs
 
 
 def isAtRest(energyRatio=1e-8, imbalance=1e-4):

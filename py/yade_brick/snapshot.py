@@ -65,7 +65,7 @@ class JointRecord:
 		from yade import O
 		self._states, places = {}, []
 		for interaction in O.interactions:
-			states = _statesOf(interaction)
+			states = statesOf(interaction)
 			if states is None or not interaction.phys.jointed:
 				continue
 			self._states[interaction.id1, interaction.id2] = states
@@ -74,7 +74,7 @@ class JointRecord:
 			raise ValueError("no mortar joint found; make the record after MortarJoints()() and at least one step")
 		# of all segments, one joint after the other: the two bodies, and the place in the axes of either
 		self._bodies = np.repeat(list(self._states), [len(states) for states in self._states.values()], axis=0).T
-		self._sides = [_toBodies(ids, np.array(places)) for ids in self._bodies]
+		self._sides = [toBodies(ids, np.array(places)) for ids in self._bodies]
 
 	def update(self):
 		"""Looks which segments have failed since. Costs some microseconds a joint; needed only when the law's counts of failures have changed."""
@@ -83,7 +83,7 @@ class JointRecord:
 			if 0 not in before:
 				continue
 			interaction = O.interactions[pair] if O.interactions.has(*pair) else None
-			now = _statesOf(interaction) if interaction is not None else None
+			now = statesOf(interaction) if interaction is not None else None
 			# What failed stays failed as it was seen to; what is not known any more failed unseen.
 			self._states[pair] = now if now is not None else [state or 4 for state in before]
 
@@ -92,7 +92,7 @@ class JointRecord:
 
 		:param widest: segments whose sides have moved apart or slid by more [m] are left out: such a crack shows by itself
 		"""
-		one, other = (_toWorld(ids, points) for ids, points in zip(self._bodies, self._sides))
+		one, other = (toWorld(ids, points) for ids, points in zip(self._bodies, self._sides))
 		near = np.linalg.norm(one - other, axis=1) <= widest
 		return Marks(0.5 * (one + other)[near], np.concatenate(list(self._states.values()))[near])
 
@@ -106,24 +106,31 @@ class JointRecord:
 		return sum(len(states) for states in self._states.values())
 
 
-def _toBodies(ids, points):
-	"""Points of the world (n, 3) in the axes of a body each [m]."""
+def toBodies(ids, points, turnOnly=False):
+	"""Points of the world (n, 3) in the axes of a body each [m]; with `turnOnly` directions."""
 	positions, axes, w = _motion(ids)
-	return _turned(points - positions, -axes, w)
+	return _turned(points if turnOnly else points - positions, -axes, w)
 
 
-def _toWorld(ids, points):
+def toWorld(ids, points, turnOnly=False):
 	"""The reverse."""
 	positions, axes, w = _motion(ids)
+	turned = _turned(points, axes, w)
+	return turned if turnOnly else positions + turned
+
+
+def toReference(ids, points):
+	"""The same to where the bodies were laid: State.refPos and State.refOri."""
+	positions, axes, w = _motion(ids, lambda state: (state.refPos, state.refOri))
 	return positions + _turned(points, axes, w)
 
 
-def _motion(ids):
+def _motion(ids, read=lambda state: (state.pos, state.ori)):
 	"""Positions (n, 3) [m] of bodies, which may occur often, and their orientations as vector (n, 3) and scalar (n, 1) parts of quaternions."""
 	from yade import O
 	different, places = np.unique(ids, return_inverse=True)
-	states = [O.bodies[int(i)].state for i in different]
-	motions = np.array([(*numbers(state.pos), *numbers(state.ori), state.ori[3]) for state in states])[places]
+	states = [read(O.bodies[int(i)].state) for i in different]
+	motions = np.array([(*numbers(position), *numbers(orientation), orientation[3]) for position, orientation in states])[places]
 	return motions[:, :3], motions[:, 3:6], motions[:, 6:]
 
 
@@ -133,7 +140,7 @@ def _turned(points, axes, w):
 	return points + w * twice + np.cross(axes, twice)
 
 
-def _statesOf(interaction):
+def statesOf(interaction):
 	"""States of a joint's segments, or None for anything else."""
 	from yade import BrickPhys
 	if not interaction.isReal or not isinstance(interaction.phys, BrickPhys):

@@ -843,3 +843,32 @@ TEST(JointTest, tractions_shown_are_those_that_act)
 		}
 	}
 }
+
+TEST(JointTest, outlines_of_segments_have_their_areas_and_middles_cut_or_not)
+{
+	for (Real angle : { 0., M_PI / 4 }) {
+		Body upper = Body::cube({ 0, 0, edge }, 3);
+		upper.move({ 0, 0, angle });
+		Pair           p(Body::cube({ 0, 0, 0 }, 3), upper);
+		const Vector3r turn(.3, -1.1, .7);
+		for (Body* b : { &p.first, &p.second })
+			b->move(turn, { 1, -2, .5 }, { 0, 0, 0 });
+		const auto m = p.motion();
+		for (int s = 0; s < p.joint.count(); ++s) {
+			const auto     o = segmentOutline(p.joint, s, m);
+			const Vector3r area = (o[2] - o[0]).cross(o[3] - o[1]) / 2;
+			EXPECT_NEAR(area.norm(), segmentOf(p.joint, s).area, roundOff);
+			EXPECT_NEAR(std::abs(area.normalized().dot(m.normal)), 1, roundOff);
+			EXPECT_LT(((o[0] + o[1] + o[2] + o[3]) / 4 - m.middle(segmentOf(p.joint, s))).norm(), roundOff);
+		}
+	}
+}
+
+TEST(JointTest, opening_of_a_segment_is_the_motion_of_one_side_from_the_other)
+{
+	Pair           p = Pair::stacked();
+	const Vector3r by(1e-4, -2e-4, 3e-4);
+	p.second.placement.position += by;
+	for (int s = 0; s < p.joint.count(); ++s)
+		EXPECT_LT((segmentOpening(p.joint, s, p.motion()) - by).norm(), roundOff);
+}

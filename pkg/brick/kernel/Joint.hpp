@@ -185,6 +185,13 @@ struct SegmentTraction {
 };
 SegmentTraction segmentTraction(const Joint&, int segment, const JointMotion&, Real tanFriction);
 
+/// How far side 1 has moved from side 0 at the middle of a segment since they were joined, world axes [m].
+Vector3r segmentOpening(const Joint&, int segment, const JointMotion&);
+
+/// Corners of a segment midway between the two sides, in turn, from side 0's position, world axes [m]. For one that the border of the overlap cuts: a rectangle
+/// of the same middle and area.
+std::array<Vector3r, 4> segmentOutline(const Joint&, int segment, const JointMotion&);
+
 /// How much more than its middle an edge of a patch's segment opens, by the angle between the faces [m]; zero where the joint is no hinge.
 Real edgeOpening(const Joint&, const JointMotion&, int patch);
 

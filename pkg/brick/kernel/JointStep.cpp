@@ -289,6 +289,29 @@ SegmentTraction segmentTraction(const Joint& joint, int index, const JointMotion
 	return { normal, ut[0] * axes.tangent1 + ut[1] * axes.tangent2 };
 }
 
+Vector3r segmentOpening(const Joint& joint, int index, const JointMotion& m)
+{
+	const JointSegment segment = segmentOf(joint, index);
+	return m.patches[segment.patch].opening.transpose() * cornerWeights(segment.p, segment.q) - joint.restGap * m.normal;
+}
+
+std::array<Vector3r, 4> segmentOutline(const Joint& joint, int index, const JointMotion& m)
+{
+	JointSegment        corner  = segmentOf(joint, index);
+	const JointPatch&   patch   = joint.shape->patches[corner.patch];
+	const CornerVectors at      = patch.sides[0].corners;
+	const Real          extent  = (at.row(1) - at.row(0)).norm() * (at.row(3) - at.row(0)).norm();
+	const Real          cells   = patch.rows[0] * patch.rows[1], scale = std::sqrt(corner.area * cells / extent);
+	const Real          p = corner.p, q = corner.q, dp = scale / (2 * patch.rows[0]), dq = scale / (2 * patch.rows[1]);
+	constexpr int       signs[4][2] { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
+	std::array<Vector3r, 4> outline;
+	for (int c = 0; c < 4; ++c) {
+		corner.p = p + signs[c][0] * dp, corner.q = q + signs[c][1] * dq;
+		outline[c] = m.middle(corner);
+	}
+	return outline;
+}
+
 Failures overloaded(const Joint& joint, const JointMotion& m)
 {
 	Joint tried = joint;

@@ -34,15 +34,14 @@ namespace {
 		return largest;
 	}
 
-	/// Of a segment; zero when it has failed.
-	Real segmentUtilisation(const Joint& joint, const JointMotion& m, int index)
-	{
-		if (segmentOf(joint, index).state != SegmentState::Intact) return 0;
-		const SegmentTraction t = segmentTraction(joint, index, m, joint.shape->strength.tanFriction); // friction is of those that have failed
-		return utilisation(joint.shape->strength, t.normal, t.shear.norm());
-	}
-
 } // namespace
+
+Real segmentUtilisation(const Joint& joint, const JointMotion& m, int index)
+{
+	if (segmentOf(joint, index).state != SegmentState::Intact) return 0;
+	const SegmentTraction t = segmentTraction(joint, index, m, joint.shape->strength.tanFriction); // friction is of those that have failed
+	return utilisation(joint.shape->strength, t.normal, t.shear.norm());
+}
 
 Real utilisation(const Joint& joint, const JointMotion& m)
 {

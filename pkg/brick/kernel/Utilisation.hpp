@@ -10,6 +10,9 @@ namespace brick {
 /// there is no strength at all.
 Real utilisation(const MortarStrength&, Real sigma, Real tau);
 
+/// The same of a segment of a joint; zero when it has failed.
+Real segmentUtilisation(const Joint&, const JointMotion&, int segment);
+
 /// The same, the largest of all segments of a joint that hold.
 Real utilisation(const Joint&, const JointMotion&);
 
