@@ -404,7 +404,7 @@ Vector3r Brick::deformedNode(int a) const
 	return displacement.empty() ? place : Vector3r(place + displacement[a]);
 }
 
-bool Brick::reachesOut(const State& state, const Vector3r& lower, const Vector3r& upper) const
+bool Brick::willReachOut(const State& state, Real dt, Real margin, const Vector3r& lower, const Vector3r& upper) const
 {
 	// a box around all of it first, which mostly tells
 	const Matrix3r R      = state.ori.toRotationMatrix();
@@ -413,11 +413,13 @@ bool Brick::reachesOut(const State& state, const Vector3r& lower, const Vector3r
 		const Eigen::Map<const Eigen::Matrix<Real, 3, Eigen::Dynamic>> u(displacement[0].data(), 3, displacement.size());
 		bulged.array() += u.cwiseAbs().maxCoeff();
 	}
-	const Vector3r half = R.cwiseAbs() * bulged;
+	const Real     turned = dt * state.angVel.cwiseAbs().sum() * bulged.sum() + margin;
+	const Vector3r half   = (R.cwiseAbs() * bulged + dt * state.vel.cwiseAbs()).array() + turned;
 	if (((state.pos - half).array() >= lower.array()).all() && ((state.pos + half).array() <= upper.array()).all()) return false;
+	const Vector3r from = lower.array() + margin, to = upper.array() - margin;
 	for (int a = 0; a < surfaceNodes(); ++a) {
-		const Vector3r x = state.pos + R * deformedNode(a);
-		if ((x.array() < lower.array()).any() || (x.array() > upper.array()).any()) return true;
+		const Vector3r arm = R * deformedNode(a), x = state.pos + arm + dt * (state.vel + state.angVel.cross(arm));
+		if ((x.array() < from.array()).any() || (x.array() > to.array()).any()) return true;
 	}
 	return false;
 }

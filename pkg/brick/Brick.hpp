@@ -91,8 +91,9 @@ public:
 	void advance(
 	        const brick::NodalVectors& forces, Real dampingRatio, Real localDamping, Real dt, bool nodeRates, brick::ModeEnergy* energy, Real* work);
 
-	/// Whether a node of the surface is outside of a box, world axes.
-	bool reachesOut(const State&, const Vector3r& lower, const Vector3r& upper) const;
+	/// Whether a node of the surface will be outside of a box, world axes, when the body has moved for another step.
+	/// @param margin that it has to stay within the box: what the velocity may change by in the step, times the step [m]
+	bool willReachOut(const State&, Real dt, Real margin, const Vector3r& lower, const Vector3r& upper) const;
 
 	/// Deforms it at rest.
 	void setAmplitudes(const std::vector<Real>&);

@@ -57,6 +57,18 @@ def heap():
 	engines()
 
 
+def thrown():
+	"""Bricks of all levels, tumbling, are thrown at the ground, whose box has no room to spare: only the bricks' own tell in time."""
+	m = material()
+	ground(m)
+	for i in range(12):
+		turn = Quaternion(Vector3(1, .3 * i, -.2 * i * i % 3).normalized(), .7 * i)
+		b = add((.3, .12, .08), center=(.5 * (i % 4), .5 * (i // 4), .2 + .011 * i), orientation=turn, material=m, deformation=LEVELS[i % 4], contactThickness=.004)
+		b.state.vel = Vector3(0, 0, -3 - .1 * i)
+		turning(b, Vector3(40 - 5 * i, 9, 2 * i))
+	engines()
+
+
 class Collider(Case):
 
 	def history(self, build, verletDist, seconds):
@@ -99,3 +111,7 @@ class Collider(Case):
 	def test_tumbling_bricks(self):
 		"""Bricks of all levels spin at up to 50 rad/s as they fall on each other."""
 		self.check(heap, (.003, .03), .3, 8)
+
+	def test_thrown_bricks(self):
+		"""Bricks of all levels spin at up to 40 rad/s as they are thrown at the ground with 3 to 4 m/s."""
+		self.check(thrown, (.005, .01, .02), .15, 12)
