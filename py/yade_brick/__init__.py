@@ -36,16 +36,20 @@ def _load():
 _classes = _load()
 globals().update(_classes)
 
-from . import assembly, bill, build, loop, motion, picture, progress, report, rest, snapshot
+from . import assembly, bill, blocks, bonds, build, houses, loop, motion, openings, picture, piers, progress, report, rest, snapshot, walls
 from .assembly import assembled
 from .bill import Bill
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
+from .houses import Floor, house
 from .loop import Loop, effects, engines
 from .motion import Motion, readAt2, readColumns, syntheticNearFault
+from .openings import Opening
 from .picture import historyPlot, pictureSeries, wallPicture
+from .piers import column, pier
 from .progress import runWithProgress
 from .rest import isAtRest, restState
 from .snapshot import JointRecord, patches
+from .walls import bondedWall, wallsAlong
 
 # Modules stay out of `from yade_brick import *`: names such as `motion` and `report` are often a script's own.
 __all__ = sorted(name for name, value in globals().items() if not name.startswith('_') and type(value) is not type(_sys))
