@@ -78,7 +78,8 @@ class Bond:
 
 		The bond is cut at both ends. In the header courses of English and Flemish bond a header comes first and a queen closer second, where that keeps
 		the lap. An end piece shorter than `smallest` and its neighbour become one piece, or two where one would be too long. A head joint that lies
-		within `leastLap` of an avoided place moves to where its lap is largest, or is left out.
+		within `leastLap` of an avoided place moves to where its lap is largest, is left out, or becomes two; where
+		there is no room for any of that, its lap is what it can be.
 
 		:param course: its number from below, from 0
 		:param start, end: [m]
@@ -138,22 +139,31 @@ class Bond:
 	def _lapped(self, joints, avoided):
 		laid = [joints[0]]
 		for ideal, after in zip(joints[1:-1], joints[2:]):
-			if self._distanceBelow(ideal, avoided, self.leastLap):
-				place = self._best(laid[-1], after, ideal, avoided)
-				if (place is None or self._distanceBelow(place, avoided, self.leastLap)) and after - laid[-1] <= self.size[0] * (1 + samePlace):
-					continue
-				ideal = ideal if place is None else place
-			laid.append(ideal)
+			laid += [ideal] if not self._distanceBelow(ideal, avoided, self.leastLap) else self._moved(laid[-1], after, ideal, avoided)
 		return [*laid, joints[-1]]
 
-	def _best(self, start, end, ideal, avoided):
+	def _moved(self, before, after, ideal, avoided):
+		"""What takes the place of a joint without lap: the same joint elsewhere, none where one brick is long enough, or two where whole bricks leave no room."""
+		place = self._best(before, after, ideal, avoided)
+		if place is not None and not self._distanceBelow(place, avoided, self.leastLap):
+			return [place]
+		if after - before <= self.size[0] * (1 + samePlace):
+			return []
+		first = self._best(before, after, before + (after - before) / 3, avoided, rest=2)
+		second = None if first is None else self._best(first, after, 0.5 * (first + after), avoided)
+		if second is None or self._distanceBelow(first, avoided, self.leastLap) or self._distanceBelow(second, avoided, self.leastLap):
+			return [ideal if place is None else place]
+		return [first, second]
+
+	def _best(self, before, after, ideal, avoided, rest=1):
 		"""Where a joint between two others has the largest lap, which need not be larger than the bond's; of such places the one nearest to the ideal.
-		None where two pieces do not fit."""
-		low, high = max(start + self.smallest, end - self.size[0]), min(end - self.smallest, start + self.size[0])
+		None where the pieces do not fit: one before it and `rest` after it."""
+		low = max(before + self.smallest, after - rest * self.size[0])
+		high = min(after - rest * self.smallest, before + self.size[0])
 		margin = samePlace * self.size[0]
 		if low > high + margin:
 			return None
-		near = [place for place in avoided if start - self.size[0] < place < end + self.size[0]]
+		near = [place for place in avoided if before - self.size[0] < place < after + self.size[0]]
 		middles = [0.5 * (one + other) for one, other in zip(near, near[1:])]
 		places = [low, high, min(max(ideal, low), high), *middles, *(place + side * self.lap for place in near for side in (-1, 1))]
 		allowed = [place for place in places if low - margin <= place <= high + margin]

@@ -7,7 +7,7 @@ import math
 from dataclasses import dataclass, field
 
 from .blocks import Block, masonry
-from .bonds import bond as makeBond
+from .bonds import bond as makeBond, samePlace
 from .build import _count
 from .checks import isFinite
 from .openings import Fixture, fixturesOf, wholeCourses
@@ -67,17 +67,22 @@ def house(
 	>>> home = house((4, 3), 2.4, openings=dict(south=[door], north=[window]), floors=Floor("slab", 0.15), material=adobe)
 	"""
 	laying = makeBond(bond, size, offset, smallest)
+	laid, floorOptions = houseBlocks(plan, storeyHeight, storeys, laying, openings, floors, gables)
+	return masonry(laid, origin, direction, wholeOptions(brickOptions, laying), lintels, floorOptions)
+
+
+def houseBlocks(plan, storeyHeight, storeys, laying, openings=None, floors=None, gables=None):
+	"""The blocks of a house, see `house`, and the brick options of its floors in their order."""
 	lengths = _plan(plan, laying)
 	inStorey, count = courseCount(storeyHeight, laying), _count(storeys, "storeys")
 	levelFloors = _floorsByStorey(floors, count)
 	for storey, stack in enumerate(levelFloors):
 		for floor in stack:
-			_checkFloor(floor, f"floor on storey {storey}", laying, inStorey, topmost=storey == count - 1)
+			_checkFloor(floor, f"floor on storey {storey}", laying, inStorey, topmost=storey == count - 1 and gables is None)
 	half, (x, y) = 0.5 * laying.thickness, lengths
 	legs = legsOf([(half, half), (x - half, half), (x - half, y - half), (half, y - half), (half, half)], laying, wallNames)
-	joists = [(storey, floor) for storey, stack in enumerate(levelFloors) for floor in stack if floor.kind == "joists"]
 	fixtures = _openingFixtures(openings, laying, inStorey, count, levelFloors)
-	for storey, floor in joists:
+	for storey, floor in ((storey, floor) for storey, stack in enumerate(levelFloors) for floor in stack if floor.kind == "joists"):
 		_addJoistEnds(fixtures, floor, (storey + 1) * inStorey, lengths, laying)
 	feet = [sum(_above(stack) for stack in levelFloors[:storey]) for storey in range(count + 1)]  # what slabs add below each storey, and below gables
 	levels = [course * laying.size[2] + feet[course // inStorey] for course in range(count * inStorey)]
@@ -85,8 +90,7 @@ def house(
 	laid += _laidFloors(levelFloors, lengths, laying, inStorey, feet)
 	if gables is not None:
 		laid += _laidGables(gables, legs, lengths, laying, count * inStorey, feet[-1])
-	floorOptions = [floor.options for stack in levelFloors for floor in stack]
-	return masonry(laid, origin, direction, wholeOptions(brickOptions, laying), lintels, floorOptions)
+	return laid, [floor.options for stack in levelFloors for floor in stack]
 
 
 # What is given
@@ -137,7 +141,7 @@ def _openingFixtures(openings, laying, inStorey, count, levelFloors):
 		for name, given in entry.items():
 			if name not in wallNames:
 				raise ValueError(f"openings has the wall {name!r}; allowed are {', '.join(map(repr, wallNames))}")
-			where = f"{name} wall, storey {storey}"
+			where = f"the {name} wall of storey {storey}"
 			found = fixturesOf(given, laying, inStorey, storey * inStorey, where)
 			if storey + 1 < count and not _above(levelFloors[storey]):
 				_checkLintels(found, (storey + 1) * inStorey)
@@ -221,7 +225,7 @@ def _laidGables(slope, legs, lengths, laying, first, foot):
 		if leg.axis != (1 if lengths[1] <= lengths[0] else 0):
 			continue
 		below, course = [], first
-		while leg.length - 2 * (inset := (course + 1 - first) * height / math.tan(slope)) >= laying.size[0]:
+		while leg.length - 2 * (inset := (course + 1 - first) * height / math.tan(slope)) > laying.size[0] * (1 - samePlace):
 			places = laying.course(course + leg.axis, inset, leg.length - inset, below)
 			for one, other in zip(places, places[1:]):
 				wythes = laying.wythesAt(other - one)
@@ -229,6 +233,6 @@ def _laidGables(slope, legs, lengths, laying, first, foot):
 					edges = [laying.thickness * ((side + end) / wythes - 0.5) for end in range(2)]
 					(x0, y0), (x1, y1) = leg.across(one, other, edges)
 					level = foot + course * height
-					laid.append(Block((x0, y0, level), (x1, y1, level + height), "brick", course, leg.name, (leg.name, "gables")))
+					laid.append(Block((x0, y0, level), (x1, y1, level + height), "brick", course, leg.label, (leg.name, "gables")))
 			below, course = places[1:-1], course + 1
 	return laid

@@ -39,6 +39,7 @@ class Fixture(NamedTuple):
 	:param first, last: courses, the last one not included
 	:param kind: opening, lintel or joist
 	:param name: for errors
+	:param group: name of the opening in Masonry.groups
 	"""
 
 	low: float
@@ -47,31 +48,34 @@ class Fixture(NamedTuple):
 	last: int
 	kind: str
 	name: str
+	group: str = None
 
 	def isIn(self, course):
 		return self.first <= course < self.last
 
 
-def fixturesOf(openings, bond, courses, base=0, wall="wall"):
+def fixturesOf(openings, bond, courses, base=0, wall="the wall"):
 	"""Openings of a wall as fixtures, each followed by its lintel.
 
 	:param openings: list of Opening
 	:param courses: of the wall, or of the storey
 	:param base: number of the lowest of these courses
+	:param wall: what to call the wall in errors
 	:raises ValueError: for numbers out of their range, and for openings that do not fit courses
 	"""
 	if not isinstance(openings, (list, tuple)) or not all(isinstance(opening, Opening) for opening in openings):
-		raise ValueError(f"openings of the {wall} are {openings!r}; allowed is a list of Opening")
+		raise ValueError(f"openings of {wall} are {openings!r}; allowed is a list of Opening")
 	found = []
 	for index, opening in enumerate(openings):
-		name = f"{opening.name or f'opening {index}'} in the {wall}"
+		group = opening.name or f"opening {index}"
+		name = f"{group} in {wall}"
 		_checkNumbers(opening, name)
 		first = base + wholeCourses(opening.sill, bond, f"sill of {name}")
 		last = first + wholeCourses(opening.height, bond, f"height of {name}")
 		top = base + courses
 		if last > top:
 			raise ValueError(f"{name} ends {opening.sill + opening.height:g} m above its foot; allowed is up to {courses * bond.size[2]:g} m, the top")
-		found.append(Fixture(opening.at, opening.at + opening.width, first, last, "opening", name))
+		found.append(Fixture(opening.at, opening.at + opening.width, first, last, "opening", name, group))
 		if opening.lintel == 0:
 			if last < top:
 				raise ValueError(f"lintel of {name} is 0, but bricks lie above it; allowed is 0 only for an opening up to the top of the wall")
@@ -79,7 +83,7 @@ def fixturesOf(openings, bond, courses, base=0, wall="wall"):
 		if last + opening.lintel > top:
 			raise ValueError(f"the lintel of {name} would end above the wall; allowed is an opening that ends {opening.lintel} courses below, or lintel=0")
 		bearing = 0.5 * bond.size[0] if opening.bearing is None else opening.bearing
-		found.append(Fixture(opening.at - bearing, opening.at + opening.width + bearing, last, last + opening.lintel, "lintel", name))
+		found.append(Fixture(opening.at - bearing, opening.at + opening.width + bearing, last, last + opening.lintel, "lintel", name, group))
 	return found
 
 
@@ -111,37 +115,26 @@ def wholeCourses(height, bond, name):
 
 
 def checkFixtures(fixtures, length, squares, wall):
-	"""Whether all fit a wall and leave room for each other, and every lintel and joist lies on masonry.
+	"""Whether all fit a wall and leave room for each other. Lintels and joists then lie on masonry: whatever is below is no opening, since that has its own lintel there.
 
 	:param length: of the wall [m]
 	:param squares: (low, high) of the places where other walls meet or cross it [m]
+	:param wall: what to call it in errors
 	:raises ValueError: naming what does not fit
 	"""
 	margin = samePlace * length
 	for index, fixture in enumerate(fixtures):
 		if fixture.low < -margin or fixture.high > length + margin:
-			raise ValueError(f"{_words(fixture)} reaches from {fixture.low:g} to {fixture.high:g} m; allowed is 0 to {length:g} m, the length of the {wall}")
+			raise ValueError(f"{_words(fixture)} reaches from {fixture.low:g} to {fixture.high:g} m; allowed is 0 to {length:g} m, the length of {wall}")
 		for low, high in squares:
 			if fixture.low < high - margin and fixture.high > low + margin:
 				raise ValueError(
-				        f"{_words(fixture)} reaches from {fixture.low:g} to {fixture.high:g} m; from {low:g} to {high:g} m the {wall} meets another wall"
+				        f"{_words(fixture)} reaches from {fixture.low:g} to {fixture.high:g} m; from {low:g} to {high:g} m {wall} meets another wall"
 				)
 		for other in fixtures[:index]:
 			if fixture.low < other.high - margin and fixture.high > other.low + margin and fixture.first < other.last and other.first < fixture.last:
-				raise ValueError(f"{_words(other)} and {_words(fixture)} overlap; allowed are openings that leave room for their lintels' bearings")
-	for fixture in fixtures:
-		if fixture.kind != "opening":
-			_checkBearings(fixture, fixtures, margin)
-
-
-def _checkBearings(fixture, fixtures, margin):
-	opening = next((other for other in fixtures if fixture.kind == "lintel" and (other.kind, other.name) == ("opening", fixture.name)), None)
-	bearings = [(fixture.low, fixture.high)] if opening is None else [(fixture.low, opening.low), (opening.high, fixture.high)]
-	for low, high in bearings:
-		for other in fixtures:
-			if other.isIn(fixture.first - 1) and other.kind == "opening" and other.low < high - margin and other.high > low + margin:
-				raise ValueError(f"{_words(fixture)} does not rest on masonry from {low:g} to {high:g} m: {_words(other)} is below")
+				raise ValueError(f"{_words(other)} and {_words(fixture)} overlap; allowed are openings with room between them for the bearings of their lintels, and for joists")
 
 
 def _words(fixture):
-	return fixture.name if fixture.kind == "opening" else f"the {fixture.kind} of {fixture.name}"
+	return f"the lintel of {fixture.name}" if fixture.kind == "lintel" else fixture.name

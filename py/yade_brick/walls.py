@@ -45,9 +45,8 @@ def bondedWall(
 	if not (isFinite(length) and length > 0):
 		raise ValueError(f"length is {length!r}; allowed is a finite number > 0 m")
 	middle = 0.5 * laying.thickness
-	return wallsAlong(
-	        [(0, middle), (length, middle)], height, bond, size, {0: openings}, offset, smallest, lintels, origin, direction, **brickOptions
-	)
+	legs = legsOf([(0, middle), (length, middle)], laying, names=("wall",))
+	return _builtWalls(legs, height, laying, {0: openings}, lintels, origin, direction, brickOptions)
 
 
 def wallsAlong(
@@ -72,11 +71,14 @@ def wallsAlong(
 	bond, size, offset, smallest, lintels, brickOptions: as in bondedWall.
 	"""
 	laying = makeBond(bond, size, offset, smallest)
-	legs = legsOf(plan, laying)
+	return _builtWalls(legsOf(plan, laying), height, laying, openings, lintels, origin, direction, brickOptions)
+
+
+def _builtWalls(legs, height, laying, openings, lintels, origin, direction, brickOptions):
 	courses = courseCount(height, laying)
 	fixtures = [[] for _ in legs]
 	for index, given in _openingsByLeg(openings, len(legs)).items():
-		fixtures[index] = fixturesOf(given, laying, courses, wall=legs[index].name)
+		fixtures[index] = fixturesOf(given, laying, courses, wall=legs[index].label)
 	laid = laidWalls(legs, laying, courses, fixtures)
 	return masonry(laid, origin, direction, wholeOptions(brickOptions, laying), lintels)
 
@@ -125,6 +127,11 @@ class Leg(NamedTuple):
 	sense: int
 	length: float
 	squares: tuple = ()
+
+	@property
+	def label(self):
+		"""What to call it in a sentence."""
+		return self.name if self.name.startswith("leg ") else f"the {self.name} wall" if self.name != "wall" else "the wall"
 
 	def goesThrough(self, course):
 		"""Whether it has the places that it shares in this course; otherwise the others have them."""
@@ -215,19 +222,19 @@ def laidWalls(legs, laying, courses, fixtures, levels=None, names=lambda leg, co
 	:returns: list of Block
 	"""
 	for leg, fixed in zip(legs, fixtures):
-		checkFixtures(fixed, leg.length, leg.squares, leg.name)
+		checkFixtures(fixed, leg.length, leg.squares, leg.label)
 	levels = [course * laying.size[2] for course in range(courses)] if levels is None else levels
 	laid, below = [], [[] for _ in legs]
 	for course in range(courses):
 		for index, leg in enumerate(legs):
 			places, below[index] = _laidCourse(leg, laying, course, fixtures[index], below[index])
 			groups = (leg.name, *names(leg, course))
-			laid += [_block(leg, laying, levels, course, course + 1, *place, "brick", leg.name, groups) for place in places]
+			laid += [_block(leg, laying, levels, course, course + 1, *place, "brick", leg.label, groups) for place in places]
 	for index, leg in enumerate(legs):
 		half = (-0.5 * laying.thickness, 0.5 * laying.thickness)
 		for one in fixtures[index]:
 			if one.kind == "lintel":
-				groups = (leg.name, one.name.split(" in the ")[0], *names(leg, one.first))
+				groups = (leg.name, one.group, *names(leg, one.first))
 				laid.append(_block(leg, laying, levels, one.first, one.last, one.low, one.high, half, "lintel", one.name, groups))
 	return laid
 
@@ -256,7 +263,7 @@ def _laidBetween(leg, laying, course, begin, end, avoided):
 	try:
 		return laying.course(course + leg.axis, begin, end, [place for place in avoided if begin < place < end])
 	except ValueError as problem:
-		raise ValueError(f"course {course} of the {leg.name} from {begin:g} to {end:g} m, between openings, lintels, walls or ends: {problem}") from None
+		raise ValueError(f"course {course} of {leg.label} from {begin:g} to {end:g} m, between openings, lintels, walls or ends: {problem}") from None
 
 
 def _block(leg, laying, levels, course, after, low, high, half, kind, name, groups):
