@@ -128,6 +128,15 @@ class PlanTest(WallCase):
 				self.assertEqual(owners[0], owners[2])
 				self.assertNotEqual(owners[0], owners[1])
 
+	def test_courses_of_headers_go_through_at_corners(self):
+		for bond, (course, quoin) in itertools.product(("English", "Flemish"), enumerate([(-0.05, -0.05), (1.45, -0.05)])):
+			found = [block for block in laid(rectangle, bond, 2) if block.course == course]
+			owner, = [block for block in found if self.covers(block, quoin)]  # at the beginning of leg 0, of leg 1
+			along = course
+			self.assertEqual(owner.name, f"leg {along}")
+			self.assertAlmostEqual(owner.high[along] - owner.low[along], 0.1, delta=1e-12)
+			self.assertAlmostEqual(owner.high[1 - along] - owner.low[1 - along], 0.2, delta=1e-12)
+
 	@staticmethod
 	def covers(block, point):
 		"""Whether a point, moved a little towards +x and +y as it may be on a joint, is in a block."""
