@@ -81,7 +81,7 @@ def houseBlocks(plan, storeyHeight, storeys, laying, openings=None, floors=None,
 			_checkFloor(floor, f"floor on storey {storey}", laying, inStorey, topmost=storey == count - 1 and gables is None)
 	half, (x, y) = 0.5 * laying.thickness, lengths
 	legs = legsOf([(half, half), (x - half, half), (x - half, y - half), (half, y - half), (half, half)], laying, wallNames)
-	fixtures = _openingFixtures(openings, laying, inStorey, count, levelFloors)
+	fixtures = _openingFixtures(openings, laying, inStorey, [_needsLintels(storey, levelFloors, gables) for storey in range(count)])
 	for storey, floor in ((storey, floor) for storey, stack in enumerate(levelFloors) for floor in stack if floor.kind == "joists"):
 		_addJoistEnds(fixtures, floor, (storey + 1) * inStorey, lengths, laying)
 	feet = [sum(_above(stack) for stack in levelFloors[:storey]) for storey in range(count + 1)]  # what slabs add below each storey, and below gables
@@ -131,8 +131,18 @@ def _checkFloor(floor, name, laying, inStorey, topmost):
 		raise ValueError(f"thickness of the {name} is {floor.thickness:g} m; allowed is at least a course and less than the walls' height")
 
 
-def _openingFixtures(openings, laying, inStorey, count, levelFloors):
-	"""For each wall its openings and lintels in all storeys."""
+def _needsLintels(storey, levelFloors, gables):
+	"""Whether something lies on the walls of a storey that an opening up to their top does not carry; a slab spans it."""
+	stack = levelFloors[storey]
+	return not any(floor.kind == "slab" for floor in stack) and (bool(stack) or storey + 1 < len(levelFloors) or gables is not None)
+
+
+def _openingFixtures(openings, laying, inStorey, needsLintels):
+	"""For each wall its openings and lintels in all storeys.
+
+	:param needsLintels: for each storey whether no opening may reach its top
+	"""
+	count = len(needsLintels)
 	byStorey = openings if isinstance(openings, (list, tuple)) else [openings or {}] * count
 	if len(byStorey) != count or not all(isinstance(entry, dict) for entry in byStorey):
 		raise ValueError(f"openings is {openings!r}; allowed is a dict from the name of a wall to a list of Opening, or a list with one for each of {count} storeys")
@@ -143,16 +153,11 @@ def _openingFixtures(openings, laying, inStorey, count, levelFloors):
 				raise ValueError(f"openings has the wall {name!r}; allowed are {', '.join(map(repr, wallNames))}")
 			where = f"the {name} wall of storey {storey}"
 			found = fixturesOf(given, laying, inStorey, storey * inStorey, where)
-			if storey + 1 < count and not _above(levelFloors[storey]):
-				_checkLintels(found, (storey + 1) * inStorey)
+			for one in found if needsLintels[storey] else ():
+				if one.kind == "opening" and one.last == (storey + 1) * inStorey:
+					raise ValueError(f"{one.name} reaches the top of the storey, where planks, joists, walls or a gable lie over it; only a slab may: a lintel is needed")
 			fixtures[wallNames.index(name)] += found
 	return fixtures
-
-
-def _checkLintels(fixtures, top):
-	for one in fixtures:
-		if one.kind == "opening" and one.last == top:
-			raise ValueError(f"{one.name} ends at the top of the storey, and the next storey stands over it without slab or planks between; a lintel is needed")
 
 
 # Floors and gables

@@ -234,6 +234,8 @@ class HouseTest(WallCase):
 	window, door = Opening(0.5, 0.3, 0.2, sill=0.15, name="window"), Opening(0.6, 0.3, 0.35, name="door")
 	rooms = dict(south=[door], east=[window], west=[window])
 
+	tall = dict(south=[Opening(0.5, 0.3, 0.5, lintel=0, name="door")])
+
 	def blocks(self, bond="running", plan=(1.5, 1.2), height=0.5, storeys=1, **given):
 		return houses.houseBlocks(plan, height, storeys, bonds.bond(bond, size), **given)[0]
 
@@ -255,6 +257,10 @@ class HouseTest(WallCase):
 		self.assertAlmostEqual(min(block.low[2] for block in upper), 0.62, delta=1e-12)
 		self.assertAlmostEqual(max(block.high[2] for block in found), 2 * 0.62, delta=1e-12)
 		self.assertEqual([block.groups[:2] for block in found if block.kind == "lintel"], [("south", "door"), ("east", "window"), ("west", "window")])
+
+	def test_slab_spans_an_opening_up_to_the_top(self):
+		blocks.checkSupports(self.blocks(openings=self.tall, floors=houses.Floor("slab"), storeys=2))
+		self.checkSolid(self.blocks(openings=self.tall))
 
 	def test_openings_are_where_they_are_seen_from_outside(self):
 		lintels = [block for block in self.blocks(openings=dict(north=[self.door], west=[self.window])) if block.kind == "lintel"]
@@ -288,7 +294,8 @@ class HouseTest(WallCase):
 		        ("thickness of the floor .* 0.12 m; allowed are whole courses", dict(floors=houses.Floor("joists", 0.12))),
 		        ("9 joists with a width of 0.2 m do not fit", dict(floors=houses.Floor("joists", 0.1, count=9, width=0.2))),
 		        ("the lintel of door .* and joist 1 in the south wall overlap", dict(floors=houses.Floor("joists", 0.15, count=3), openings=self.rooms)),
-		        ("door in the south wall of storey 0 ends at the top", dict(openings=dict(south=[Opening(0.5, 0.3, 0.5, lintel=0, name="door")]), storeys=2)),
+		        ("door in the south wall of storey 0 reaches the top", dict(openings=self.tall, storeys=2)),
+		        ("door .* reaches the top", dict(openings=self.tall, floors=houses.Floor("planks"))), ("door .* reaches the top", dict(openings=self.tall, gables=0.5)),
 		        ("gables is 2", dict(gables=2))
 		):
 			with self.assertRaisesRegex(ValueError, words):
