@@ -52,6 +52,9 @@ views = {"elevation": (-90, 0), "side": (0, 0), "plan": (-90, 90), "3d": (-62, 2
 #: Nodes of each face of a brick, counter-clockwise from outside: the kernel's table.
 faceNodes = ((0, 4, 7, 3), (1, 2, 6, 5), (0, 1, 5, 4), (3, 7, 6, 2), (0, 3, 2, 1), (4, 5, 6, 7))
 
+#: Bricks whose outlines overlap by less than this share of the picture, which is less than a line is wide, are taken to touch.
+lineShare = 1e-3
+
 #: Colour and name of each way to fail; told apart on brick and in grey, and by the colour-blind.
 failureModes = {1: ("#12b5e5", "failed in tension"), 2: ("#ffd23f", "failed in shear"), 3: ("#6a0dad", "failed in compression"), 4: ("#1a1a1a", "failed")}
 
@@ -258,7 +261,7 @@ def _overlappingInPicture(flat):
 	:param flat: corners in the picture (n, 8, 2)
 	"""
 	low, high = flat.min(axis=1), flat.max(axis=1)
-	margin = 1e-6 * (high - low).max()
+	margin = lineShare * (high.max(axis=0) - low.min(axis=0)).max()
 	one, other = np.nonzero(np.triu(((low[:, None] < high[None] - margin) & (low[None] < high[:, None] - margin)).all(axis=2), 1))
 	apart = np.zeros(len(one), dtype=bool)
 	for these in (one, other):
