@@ -3,7 +3,6 @@
 # piers lay blocks; `masonry` checks them, turns and moves them, and makes the bodies.
 """Blocks: boxes that become bricks."""
 
-import math
 from collections import defaultdict
 from typing import NamedTuple
 
@@ -41,7 +40,7 @@ class Block(NamedTuple):
 		return tuple(round(high - low, 12) for low, high in zip(self.low, self.high))
 
 
-def masonry(blocks, origin, direction, brickOptions, lintelOptions=None, floorOptions=None, checked=True):
+def masonry(blocks, origin, direction, brickOptions, lintelOptions=None, floorOptions=None):
 	"""Makes the bodies.
 
 	:param blocks: list of Block; those of a course in the order of the course
@@ -50,15 +49,13 @@ def masonry(blocks, origin, direction, brickOptions, lintelOptions=None, floorOp
 	:param brickOptions: arguments of build.brick for all bricks
 	:param lintelOptions: arguments of build.brick for lintels where they differ
 	:param floorOptions: a dict for each floor, likewise
-	:param checked: False for blocks that are known to touch and not to overlap
 	:returns: Masonry
 	:raises ValueError: for blocks that overlap or that nothing connects to the ground, and for wrong arguments
 	"""
 	start, turn = _vector(origin, "origin"), turned(direction)
 	options = _optionsByKind(brickOptions, lintelOptions, floorOptions)
-	if checked:
-		checkOverlaps(blocks)
-		checkSupports(blocks)
+	checkOverlaps(blocks)
+	checkSupports(blocks)
 	courses, groups = defaultdict(list), defaultdict(list)
 	for block in blocks:
 		middle = _vector([0.5 * (low + high) for low, high in zip(block.low, block.high)], "center")

@@ -115,7 +115,7 @@ def wholeCourses(height, bond, name):
 
 
 def checkFixtures(fixtures, length, squares, wall):
-	"""Whether all fit a wall and leave room for each other. Lintels and joists then lie on masonry: whatever is below is no opening, since that has its own lintel there.
+	"""Whether all fit a wall and leave room for each other. Lintels and joists then lie on masonry: no opening is below them, since it has its own lintel there.
 
 	:param length: of the wall [m]
 	:param squares: (low, high) of the places where other walls meet or cross it [m]

@@ -97,7 +97,8 @@ class Bodies(WallCase):
 		        ('length is -1', lambda: bondedWall(-1, 1, material=m)), ('height is 0', lambda: bondedWall(1, 0, material=m)),
 		        ('height is 0.07 m; allowed are whole courses', lambda: bondedWall(1, .07, size=size, material=m)),
 		        ("bond is 'Dutch'", lambda: bondedWall(1, .3, 'Dutch', material=m)), ('center given for a wall', lambda: bondedWall(1, .3, material=m, center=(0, 0, 0))),
-		        ('corners given for a wall', lambda: bondedWall(1, .3, material=m, lintels=dict(corners=[]))), ('lintels is 3', lambda: bondedWall(1, .3, material=m, lintels=3)),
+		        ('corners given for a wall', lambda: bondedWall(1, .3, material=m, lintels=dict(corners=[]))),
+		        ('lintels is 3', lambda: bondedWall(1, .3, material=m, lintels=3)),
 		        ('material is None', lambda: bondedWall(1, .3)), ('origin is', lambda: bondedWall(1, .3, material=m, origin=(0, 0))),
 		        ('direction is nan', lambda: bondedWall(1, .3, material=m, direction=math.nan)),
 		        ('openings has the leg 1', lambda: wallsAlong([(0, 0), (1, 0)], .3, openings={1: []}, material=m)),
@@ -174,9 +175,12 @@ class PiersAndColumns(WallCase):
 	def test_bad_piers_and_columns_are_refused_with_the_value(self):
 		m = clay()
 		for words, call in (
-		        ('units is', lambda: pier((1, .7), material=m)), ('units is', lambda: pier(2, material=m)), ('height is 1 m', lambda: pier(height=1, size=(.2, .1, .06), material=m)),
-		        ('twice as long', lambda: pier(size=(.2, .2, .1), material=m)), ('drums is 0', lambda: column(0, material=m)), ('drums is .*add up', lambda: column([.5, .4], material=m)),
-		        ('base is', lambda: column(base=(1, 0), material=m)), ('top is .*no larger', lambda: column(top=(1, 1), material=m)), ('height is nan', lambda: column(height=math.nan, material=m)),
+		        ('units is', lambda: pier((1, .7), material=m)), ('units is', lambda: pier(2, material=m)),
+		        ('height is 1 m', lambda: pier(height=1, size=(.2, .1, .06), material=m)),
+		        ('twice as long', lambda: pier(size=(.2, .2, .1), material=m)), ('drums is 0', lambda: column(0, material=m)),
+		        ('drums is .*add up', lambda: column([.5, .4], material=m)),
+		        ('base is', lambda: column(base=(1, 0), material=m)), ('top is .*no larger', lambda: column(top=(1, 1), material=m)),
+		        ('height is nan', lambda: column(height=math.nan, material=m)),
 		        ('size given', lambda: column(material=m, size=(1, 1, 1)))
 		):
 			self.refused(words, call)
