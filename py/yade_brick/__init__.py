@@ -36,27 +36,31 @@ def _load():
 _classes = _load()
 globals().update(_classes)
 
-from . import (
-        animation, arches, assembly, bill, build, faces, histories, joints, loop, masonryCheck, mesh, motion, paraview, picture, progress, report, rest,
-        segments, snapshot, solids
-)
+from . import (, assembly, bill, blocks, bonds, build, houses, loop, motion, openings, picture, piers, progress, report, rest, snapshot, walls
 from .animation import Film
 from .arches import Arch, Piers, arch, barrelVault, ellipticalLine, pointedLine, segmentalLine, semicircularLine
 from .assembly import assembled
 from .bill import Bill
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
 from .histories import Histories, wallHistories
+from .houses import Floor, house
 from .joints import JointList, layMortar, listJoints
 from .loop import Loop, effects, engines
 from .masonryCheck import MasonryCheck, checkMasonry
 from .mesh import MeshBricks, readBricks, writeBricks
 from .motion import Motion, readAt2, readColumns, syntheticNearFault
+from .openings import Opening
 from .paraview import VtkRecorder
 from .picture import historyPlot, pictureSeries, wallPicture
+from .piers import column, pier
 from .progress import runWithProgress
 from .rest import isAtRest, restState
 from .segments import SegmentRecord
 from .snapshot import JointRecord, patches
+from .walls import bondedWall, wallsAlong
+        animation, arches, assembly, bill, build, faces, histories, joints, loop, masonryCheck, mesh, motion, paraview, picture, progress, report, rest,
+        segments, snapshot, solids
+)
 
 # Modules stay out of `from yade_brick import *`: names such as `motion` and `report` are often a script's own.
 __all__ = sorted(name for name, value in globals().items() if not name.startswith('_') and type(value) is not type(_sys))

@@ -6,13 +6,16 @@
 import functools
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 #: Colours (red, green, blue) of bricks and of fixed bricks.
 brickColor, fixedColor = (0.71, 0.47, 0.37), (0.64, 0.63, 0.61)
 
 #: Signs of a brick's corners in the order of Brick.corners.
 cornerSigns = ((-1, -1, -1), (1, -1, -1), (1, 1, -1), (-1, 1, -1), (-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1))
+
+#: Corners at the ends of each edge of a brick.
+edgeNodes = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
 
 #: Contact part of a brick for which no thickness is asked, as a share of its shortest edge: the paper's 1 mm in 0.1 m.
 defaultContactShare = 0.01
@@ -140,8 +143,7 @@ def _unitQuaternion(orientation):
 
 
 def shortestEdge(corners):
-	edges = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
-	return min((corners[i] - corners[j]).norm() for i, j in edges)
+	return min((corners[i] - corners[j]).norm() for i, j in edgeNodes)
 
 
 # Walls
@@ -149,19 +151,25 @@ def shortestEdge(corners):
 
 @dataclass(frozen=True)
 class Masonry:
-	"""Bricks of a wall, by course.
+	"""Bricks of walls, by course, and what they carry.
 
-	:param courses: courses[i][j] is the Body of course i from below and place j from the left (along x)
+	:param courses: courses[i][j] is the Body of course i from below and place j from the left (along x); where there are several walls, one after the other
+	:param lintels: Bodies, from below
+	:param floors: floors[i] are the Bodies of floor i from below: a slab, planks or joists
+	:param groups: dict from a name, such as that of a wall of a house, to its Bodies
 
-	`O.bodies.append(wall.bodies)` puts them into the scene, course by course from below, each from the left.
+	`O.bodies.append(wall.bodies)` puts them into the scene, course by course from below, each from the left, then lintels and floors.
 	"""
 
 	courses: tuple
+	lintels: tuple = ()
+	floors: tuple = ()
+	groups: dict = field(default_factory=dict, compare=False)
 
 	@property
 	def bodies(self):
 		"""All bodies, in that order."""
-		return [body for course in self.courses for body in course]
+		return [body for row in (*self.courses, self.lintels, *self.floors) for body in row]
 
 	@property
 	def ids(self):
@@ -208,9 +216,7 @@ def _count(value, name):
 
 def _masonry(lengthsByCourse, size, origin, brickOptions):
 	"""Bricks of given lengths, course by course."""
-	taken = {"size", "corners", "center", "orientation"} & set(brickOptions)
-	if taken:
-		raise ValueError(f"{', '.join(sorted(taken))} given for a wall; the wall chooses it for each brick")
+	checkWallOptions(brickOptions)
 	start = _vector(origin, "origin")
 	_, depth, height = size
 	courses = []
@@ -221,6 +227,13 @@ def _masonry(lengthsByCourse, size, origin, brickOptions):
 			bodies.append(brick((length, depth, height), center=start + _vector(middle, "center"), **brickOptions))
 		courses.append(tuple(bodies))
 	return Masonry(tuple(courses))
+
+
+def checkWallOptions(brickOptions):
+	"""Arguments of `brick` that are given for all bricks of a wall."""
+	taken = {"size", "corners", "center", "orientation"} & set(brickOptions)
+	if taken:
+		raise ValueError(f"{', '.join(sorted(taken))} given for a wall; the wall chooses it for each brick")
 
 
 # Ground motion

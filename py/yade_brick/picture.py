@@ -18,6 +18,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon, Rectangle
 
+from .build import edgeNodes
 from .checks import isFinite
 
 
@@ -50,6 +51,9 @@ views = {"elevation": (-90, 0), "side": (0, 0), "plan": (-90, 90), "3d": (-62, 2
 
 #: Nodes of each face of a brick, counter-clockwise from outside: the kernel's table.
 faceNodes = ((0, 4, 7, 3), (1, 2, 6, 5), (0, 1, 5, 4), (3, 7, 6, 2), (0, 3, 2, 1), (4, 5, 6, 7))
+
+#: Bricks whose outlines overlap by less than this share of the picture, which is less than a line is wide, are taken to touch.
+lineShare = 1e-3
 
 #: Colour and name of each way to fail; told apart on brick and in grey, and by the colour-blind.
 failureModes = {1: ("#12b5e5", "failed in tension"), 2: ("#ffd23f", "failed in shear"), 3: ("#6a0dad", "failed in compression"), 4: ("#1a1a1a", "failed")}
@@ -250,23 +254,45 @@ def paintOrder(corners, plane, toward):
 	:param toward: (3,), the direction towards the viewer
 	:returns: list of n indices, farthest first
 	"""
-	count = len(corners)
+	one, other = _overlappingInPicture(corners @ plane)
 	normals, centres = _faceNormals(corners), corners[:, faceNodes].mean(axis=2)
-	gap, facing = np.empty((count, count)), np.empty((count, count))
-	for i in range(count):
-		# How far all of brick j is beyond each face of i; the face that separates best counts.
-		offsets = np.einsum("fk,nak->fna", normals[i], corners) - np.einsum("fk,fk->f", normals[i], centres[i])[:, None, None]
-		beyond = offsets.min(axis=2)
-		best = beyond.argmax(axis=0)
-		gap[i], facing[i] = beyond[best, np.arange(count)], (normals[i] @ toward)[best]
-	flat = corners @ plane
-	low, high = flat.min(axis=1), flat.max(axis=1)
-	overlap = ((low[:, None] < high[None]) & (low[None] < high[:, None])).all(axis=2)
-	# front[i, j]: j is in front of i, by the better of the two separations; edge-on planes decide nothing.
-	toFront = np.where(gap >= gap.T, facing, -facing.T)
-	front = overlap & (toFront > 1e-6)
-	np.fill_diagonal(front, False)
+
+	def separation(these, those):
+		"""How far all of those are beyond a face of these, the face that separates best, and how much it faces the viewer."""
+		heights = np.einsum("pfk,pfk->pf", normals[these], centres[these])
+		beyond = np.min([np.einsum("pfk,pk->pf", normals[these], corners[those, node]) for node in range(8)], axis=0) - heights
+		best = (np.arange(len(these)), beyond.argmax(axis=1))
+		return beyond[best], (normals[these] @ toward)[best]
+
+	gap, facing = separation(one, other)
+	gapBack, facingBack = separation(other, one)
+	# the other is in front of the one, by the better of the two separations; edge-on planes decide nothing
+	toFront = np.where(gap >= gapBack, facing, -facingBack)
+	front = np.zeros((len(corners), len(corners)), dtype=bool)  # [i, j]: j is in front of i
+	front[one[toFront > 1e-6], other[toFront > 1e-6]] = True
+	front[other[toFront < -1e-6], one[toFront < -1e-6]] = True
 	return _topologicalOrder(front, corners.mean(axis=1) @ toward)
+
+
+def _overlappingInPicture(flat):
+	"""Pairs of bricks whose outlines overlap in the picture, as two arrays of indices. Outlines that only touch do not: an order between such bricks is none
+	that is seen, and too many of them make cycles.
+
+	:param flat: corners in the picture (n, 8, 2)
+	"""
+	low, high = flat.min(axis=1), flat.max(axis=1)
+	margin = lineShare * (high.max(axis=0) - low.min(axis=0)).max()
+	one, other = np.nonzero(np.triu(((low[:, None] < high[None] - margin) & (low[None] < high[:, None] - margin)).all(axis=2), 1))
+	apart = np.zeros(len(one), dtype=bool)
+	for these in (one, other):
+		for begin, end in edgeNodes:
+			# two convex outlines that are apart are so across an edge of one of them, which is an edge of its brick
+			edge = flat[these, end] - flat[these, begin]
+			length = np.linalg.norm(edge, axis=1)
+			across = np.column_stack([-edge[:, 1], edge[:, 0]]) / np.where(length > margin, length, np.nan)[:, None]
+			first, second = (np.einsum("pnk,pk->pn", flat[indices], across) for indices in (one, other))
+			apart |= (first.max(axis=1) < second.min(axis=1) + margin) | (second.max(axis=1) < first.min(axis=1) + margin)
+	return one[~apart], other[~apart]
 
 
 def _topologicalOrder(front, depth):
