@@ -36,16 +36,18 @@ def _load():
 _classes = _load()
 globals().update(_classes)
 
-from . import assembly, bill, build, loop, motion, picture, progress, report, rest, snapshot
+from . import assembly, bill, build, checkpoint, files, loop, motion, picture, progress, report, rest, snapshot, study
 from .assembly import assembled
 from .bill import Bill
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
+from .checkpoint import runWithCheckpoints
 from .loop import Loop, effects, engines
 from .motion import Motion, readAt2, readColumns, syntheticNearFault
 from .picture import historyPlot, pictureSeries, wallPicture
 from .progress import runWithProgress
 from .rest import isAtRest, restState
 from .snapshot import JointRecord, patches
+from .study import runStudy
 
 # Modules stay out of `from yade_brick import *`: names such as `motion` and `report` are often a script's own.
 __all__ = sorted(name for name, value in globals().items() if not name.startswith('_') and type(value) is not type(_sys))

@@ -88,7 +88,7 @@ class ProgressTest(unittest.TestCase):
 		self.assertNotIn("\r", self.shown.getvalue())
 
 	def test_clock_shows_hours_only_when_there_are_any(self):
-		self.assertEqual([progress._clock(seconds) for seconds in (0, 59.6, 3599, 3661)], ["0:00", "1:00", "59:59", "1:01:01"])
+		self.assertEqual([progress.clock(seconds) for seconds in (0, 59.6, 3599, 3661)], ["0:00", "1:00", "59:59", "1:01:01"])
 
 	def test_bad_stages_are_refused_with_the_value(self):
 		scene = Scene()
