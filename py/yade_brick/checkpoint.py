@@ -51,7 +51,7 @@ def runWithCheckpoints(
 	The first call makes the scene with `build`; a later one loads it instead, so that names which `build` made do not exist: bodies are found by
 	O.bodies, engines by their labels. What engines and callbacks need besides (functions, plot.plots, ...) is defined outside of `build`. A checkpoint holds
 	the whole scene with time, step, engines and tags, the data of yade.plot, and `memory`. Whether and when checkpoints are written changes no bit of the result,
-	and neither does an interruption, provided that callbacks keep in `memory` whatever they carry from one call to the next.
+	and neither does an interruption, provided that callbacks keep in `memory` whatever they carry from one call to the next. Only the ledger O.energy is not exact over loading.
 
 	A checkpoint is written at the start, at the intervals, at the end, and when the program is told to end (Ctrl-C, SIGTERM) before it does so; the `keep` newest
 	are kept. A damaged one is passed over for the one before, which is said. A finished run that is called again does nothing; with a later end it goes on.

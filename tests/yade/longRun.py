@@ -18,7 +18,6 @@ def build():
 	"""The wall, with a history by an engine."""
 	collapse.build(columns=3, courses=3, verletDist=.02)
 	O.engines = O.engines + [PyRunner(command='plot.addData(t=O.time, x=O.bodies[9].state.pos[0])', virtPeriod=.01)]
-	O.trackEnergy = True
 	O.step()  # finds the time step
 
 
@@ -35,9 +34,8 @@ def run(folder, duration, kill=None, **more):
 
 
 def found(memory):
-	"""All that has to be the same in every bit, as text."""
-	energies = [O.energy[name] for name in sorted(O.energy.keys())]
-	return json.dumps([collapse.fingerprint(), memory, {name: list(values) for name, values in sorted(plot.data.items())}, energies])
+	"""All that has to be the same in every bit, as text. Not O.energy, which is not exact over saving and loading (see BrickDynamics)."""
+	return json.dumps([collapse.fingerprint(), memory, {name: list(values) for name, values in sorted(plot.data.items())}])
 
 
 if __name__ == '__main__':
