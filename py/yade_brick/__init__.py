@@ -36,7 +36,7 @@ def _load():
 _classes = _load()
 globals().update(_classes)
 
-from . import assembly, bill, build, checkpoint, files, loop, motion, picture, progress, report, rest, snapshot, study
+from . import assembly, bill, build, checkpoint, files, fragility, ida, loop, motion, picture, progress, report, rest, snapshot, study
 from .assembly import assembled
 from .bill import Bill
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall

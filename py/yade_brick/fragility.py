@@ -210,6 +210,7 @@ class _Region:
 		_checkLevel(level)
 		self.z, self.shift, self.scale = _logarithms(fit.intensities, fit.runs)
 		self.counts, self.totals = fit.collapsed, fit.runs
+		self.bestSlope = [math.log1p(self.scale / fit.dispersion)] if fit.note is None else []
 		self.allowed = self.greatest(fit) - 0.5 * chi2.ppf(level, 1)
 		flattest, steepest = self.slopeRange()
 		self.slopes = np.expm1(np.linspace(math.log1p(flattest), math.log1p(steepest), self.slopeCount))
@@ -236,10 +237,10 @@ class _Region:
 	def slopeRange(self):
 		"""Slopes of the flattest and the steepest line."""
 		excess = lambda t: self.bestIntercept(math.expm1(t))[1] - self.allowed
-		grid = np.linspace(0, math.log1p(self.steepest), 60)
+		grid = np.unique([*np.linspace(0, math.log1p(self.steepest), 30), *self.bestSlope])  # the most likely slope is in the region, however small that is
 		values = np.array([excess(t) for t in grid])
-		first, last = np.flatnonzero(values >= min(0, values.max()))[[0, -1]]
-		ends = [grid[0] if first == 0 else _zero(excess, grid[first - 1], grid[first]), grid[-1] if last == 59 else _zero(excess, grid[last], grid[last + 1])]
+		first, last = np.flatnonzero(values >= 0)[[0, -1]]
+		ends = [grid[0] if first == 0 else _zero(excess, grid[first - 1], grid[first]), grid[-1] if last == len(grid) - 1 else _zero(excess, grid[last], grid[last + 1])]
 		return np.expm1(ends)
 
 	def interceptRange(self, b):
