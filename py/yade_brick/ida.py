@@ -213,9 +213,10 @@ def _point(level, result, measure, collapsed, log):
 
 
 def summary(curves, intensities, shares=(0.16, 0.5, 0.84)):
-	"""Fractiles of damage over the motions at given intensities; infinite where that share of the motions has collapsed.
+	"""Fractiles of damage over the motions at given intensities; infinite where so many motions have collapsed that the fractile is among them.
 
-	The fractile is the damage of one of the motions (the smallest that so large a share of them does not exceed): collapse has no number to interpolate to.
+	The fractile is the damage of one of the motions (the smallest that so large a share of them does not exceed): collapse has no number to interpolate to. Strong damage
+	is a low capacity: the 84 % fractile of damage ends where 16 % of the motions have collapsed.
 
 	:param curves: list of IdaCurve
 	:param intensities: (m,)
@@ -223,14 +224,19 @@ def summary(curves, intensities, shares=(0.16, 0.5, 0.84)):
 	:returns: (shares, m) array; NaN beyond the runs of a motion that did not collapse
 	"""
 	damage = np.sort(np.array([curve.measureAt(intensities) for curve in curves]), axis=0)
-	ranks = [max(0, math.ceil(share * len(curves) - 1e-9) - 1) for share in shares]
+	ranks = [_rank(share, len(curves)) for share in shares]
 	return np.where(np.isnan(damage).any(axis=0), math.nan, damage[ranks])
 
 
 def capacityFractiles(curves, shares=(0.16, 0.5, 0.84)):
 	"""The intensities at which these shares of the motions have collapsed; infinite where fewer do."""
 	capacities = sorted(curve.capacity for curve in curves)
-	return [capacities[max(0, math.ceil(share * len(capacities) - 1e-9) - 1)] for share in shares]
+	return [capacities[_rank(share, len(capacities))] for share in shares]
+
+
+def _rank(share, count):
+	"""Place of a fractile among sorted values."""
+	return max(0, math.ceil(share * count - 1e-9) - 1)
 
 
 # Plot
@@ -291,11 +297,13 @@ def _drawCurve(ax, curve, right, label):
 def _drawSummary(ax, curves, shares, right):
 	top = max(min(curve.capacity, curve.points[-1].intensity) for curve in curves)
 	levels = np.linspace(0, top, 400)
-	for share, damage, capacity in zip(shares, summary(curves, levels, shares), capacityFractiles(curves, shares)):
+	capacities = sorted((curve.capacity for curve in curves), reverse=True)
+	for share, damage in zip(shares, summary(curves, levels, shares)):
+		capacity = capacities[_rank(share, len(curves))]
 		finite = np.isfinite(damage)
 		measures, at = damage[finite], levels[finite]
 		if capacity < math.inf and capacity <= top:
 			measures, at = np.append(measures, [measures[-1], right]), np.append(at, [capacity, capacity])
 		color = _summaryColors.get(share, "black")
-		label = f"{100 * share:g} %: " + (f"collapse at {capacity:.3g}" if capacity < math.inf else "no collapse")
+		label = f"{100 * share:g} % of damage, " + (f"collapse at {capacity:.3g}" if capacity < math.inf else "no collapse")
 		ax.plot(measures, at, color=color, linewidth=2.2, linestyle="-" if share == 0.5 else "--", label=label, zorder=4)

@@ -69,7 +69,9 @@ class StudyReport(NamedTuple):
 
 #: What a column may be called: a name in Python, as scripts use it; YADE's own columns begin with an exclamation mark (!THREADS, ...).
 _columnName = re.compile(r"[A-Za-z_]\w*")
-_description = re.compile(r"[A-Za-z0-9_.,=+@^-]+")
+
+#: What has no place in the name of a folder, in a shell or in a browser.
+_unsafe = re.compile(r"[^A-Za-z0-9_.,=+@^-]")
 
 
 def writeTable(path, rows, describe=None):
@@ -77,7 +79,7 @@ def writeTable(path, rows, describe=None):
 
 	:param path: the file, usually *.table
 	:param rows: list of dicts from column to value, all of the same columns: numbers, True, False, None, and texts without blanks and #
-	:param describe: function from a row to its description, which names its folder and log; by default 'pga=2.5,seed=3'. Letters, digits and _.,=+@^- are allowed
+	:param describe: function from a row to its description, which names its folder and log; by default 'pga=2.5,seed=3'. What is unsafe in a path becomes _ there
 	:returns: path
 	:raises ValueError: naming row, column and value: other columns than in the first row, values that a table cannot hold, descriptions that repeat
 
@@ -109,8 +111,7 @@ def writeTable(path, rows, describe=None):
 
 
 def _describe(cells):
-	text = ",".join(f"{name}={cell}" for name, cell in cells.items()).replace("'", "")
-	return re.sub(r"[^A-Za-z0-9_.,=+@^-]", "_", text)
+	return _unsafe.sub("_", ",".join(f"{name}={cell}" for name, cell in cells.items()).replace("'", ""))
 
 
 def _cell(value, number, name):
@@ -160,7 +161,7 @@ def readTable(path):
 	found = []
 	for number, cells in rows.items():
 		settings = {name: text for name, text in cells.items() if name.startswith("!")}
-		place = os.path.join(resultsFolder(path), descriptions[number])
+		place = os.path.join(resultsFolder(path), _folderName(descriptions[number]))
 		found.append(Row(number, descriptions[number], _parameters(path, number, cells), place, settings))
 	return found
 
@@ -182,16 +183,20 @@ def _descriptions(rows, naming):
 	return found
 
 
+def _folderName(description):
+	name = _unsafe.sub("_", description)
+	return "_" + name[1:] if name.startswith(".") else name
+
+
 def _checkDescriptions(path, descriptions, place):
 	seen = {}
 	for number, text in descriptions.items():
-		if not isinstance(text, str) or not _description.fullmatch(text) or text.startswith(".") or len(text) > 200:
-			raise ValueError(
-			        f"{path}, {place} {number}: the description is {text!r}; allowed are at most 200 letters, digits and _.,=+@^- with no point first, as it names a folder"
-			)
-		if text in seen:
-			raise ValueError(f"{path}, {place} {number}: the description {text!r} is that of {place} {seen[text]} too; allowed is one row of a name")
-		seen[text] = number
+		if not isinstance(text, str) or not text or re.search(r"[\s#]", text) or len(text) > 200:
+			raise ValueError(f"{path}, {place} {number}: the description is {text!r}; allowed are 1 to 200 characters without blanks and #, as it names a folder")
+		name = _folderName(text)
+		if name in seen:
+			raise ValueError(f"{path}, {place} {number}: the description {text!r} names the same folder as that of {place} {seen[name]}; allowed is one row of a name")
+		seen[name] = number
 
 
 def _parameters(path, number, cells):
