@@ -64,7 +64,7 @@ def main():
 	)
 	rows = judge(runs, fit)
 	report.writeResult(chosen.out, rows, fragility=fit.facts())
-	curve = fit.note or f"median {fit.median:.3g} m/s2, dispersion {fit.dispersion:.2g}"
+	curve = fit.note or f"median {fit.median:.3g} m/s2, dispersion {fit.dispersion:.2f}"
 	print(report.table(rows, title=f"{curve}; results in {chosen.out}"))
 	sys.exit(report.exitStatus(rows))
 

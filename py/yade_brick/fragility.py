@@ -163,7 +163,7 @@ def _noCurve(levels, counts, totals):
 		return f"all runs are of the intensity {levels[0]:g}: they say nothing of the dispersion"
 	standing, fallen = levels[counts < totals], levels[counts > 0]
 	if standing[-1] <= fallen[0]:
-		return f"no run that stood was stronger than one that collapsed: the median is from {standing[-1]:g} to {fallen[0]:g}, the dispersion any small number"
+		return f"no run that stood was stronger than one that collapsed: the median is from {standing[-1]:g} to {fallen[0]:g}, and the dispersion has no lower bound"
 	if fallen[-1] <= standing[0]:
 		return "collapse is not more frequent at higher intensities"
 	return None
@@ -329,7 +329,7 @@ def _drawFit(ax, fit, at, level, color, name):
 	ax.fill_between(at, lower, upper, color=color, alpha=0.16, linewidth=0)
 	prefix = f"{name}: " if name else ""
 	if fit.note is None:
-		ax.plot(at, fit.probability(at), color=color, linewidth=2, label=f"{prefix}median {fit.median:.3g}, dispersion {fit.dispersion:.2g}")
+		ax.plot(at, fit.probability(at), color=color, linewidth=2, label=f"{prefix}median {fit.median:.3g}, dispersion {fit.dispersion:.2f}")
 	else:
 		ax.plot([], [], color=color, linewidth=2, linestyle=":", label=textwrap.fill(f"{prefix}no curve: {fit.note}", 80))
 	shares, sizes = fit.collapsed / fit.runs, 24 + 60 * fit.runs / fit.runs.max()
@@ -345,7 +345,7 @@ def _dress(ax, intensityLabel, stateLabel, limits):
 	ax.set_xscale("log")
 	ax.set_xlim(*limits)
 	decades = math.log10(limits[1] / limits[0])
-	ax.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if decades > 1 else (1, 2, 3, 4, 6, 8) if decades > 0.5 else np.arange(1, 10, 0.5)))
+	ax.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if decades > 1 else (1, 2, 3, 4, 5, 6, 8) if decades > 0.5 else np.arange(1, 10, 0.5)))
 	ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
 	ax.xaxis.set_minor_formatter("")
 	ax.set_ylim(-0.03, 1.03)

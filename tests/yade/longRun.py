@@ -17,7 +17,7 @@ EVERY, SAVE = .0137, .05  # between callbacks and between checkpoints: no multip
 def build():
 	"""The wall, with a history by an engine."""
 	collapse.build(columns=3, courses=3, verletDist=.02)
-	O.engines = O.engines + [PyRunner(command='plot.addData(t=O.time, x=O.bodies[9].state.pos[0])', virtPeriod=.01)]
+	O.engines = O.engines + [PyRunner(command='from yade import plot; plot.addData(t=O.time, x=O.bodies[9].state.pos[0])', virtPeriod=.01)]
 	O.step()  # finds the time step
 
 
