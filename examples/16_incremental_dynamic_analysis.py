@@ -6,8 +6,8 @@
 The runs are rows of a table, each of them shakenWall.py beside this file; which intensity comes next follows from the results so far: upwards in growing steps, then
 halving until the collapse is known to 5 %. Interrupt it (Ctrl-C) and start it again: it takes the same way through the results that are there, and goes on.
 
-Leaves in DIR: walls.table, walls.results/, walls.csv, ida.png (curves of all motions with 16, 50 and 84 % fractiles), fragility.png (the curve that follows from the
-collapse intensities), result.json. The motions are synthetic, made by yade_brick.motion.syntheticNearFault. Some minutes; --quick: two motions, a smaller wall, 30 %.
+Leaves in DIR: walls.table, walls.results/, walls.csv, ida.png (curves of all motions with 16, 50 and 84 % fractiles), result.json (collapse
+intensities, their median and dispersion). The motions are synthetic, made by yade_brick.motion.syntheticNearFault. Some minutes; --quick: two motions, a smaller wall, 30 %.
 """
 
 import argparse
