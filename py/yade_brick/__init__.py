@@ -41,13 +41,15 @@ from .assembly import assembled
 from .bill import Bill
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
 from .checkpoint import runWithCheckpoints
+from .fragility import fitFragility, fragilityPlot
+from .ida import HuntAndFill, idaPlot, incrementalDynamicAnalysis
 from .loop import Loop, effects, engines
 from .motion import Motion, readAt2, readColumns, syntheticNearFault
 from .picture import historyPlot, pictureSeries, wallPicture
 from .progress import runWithProgress
 from .rest import isAtRest, restState
 from .snapshot import JointRecord, patches
-from .study import runStudy
+from .study import runStudy, writeTable
 
 # Modules stay out of `from yade_brick import *`: names such as `motion` and `report` are often a script's own.
 __all__ = sorted(name for name, value in globals().items() if not name.startswith('_') and type(value) is not type(_sys))

@@ -15,9 +15,6 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
 from matplotlib.ticker import FuncFormatter, LogLocator
-from scipy.optimize import brentq, minimize_scalar, root
-from scipy.special import log_ndtr, ndtr, ndtri
-from scipy.stats import chi2, norm
 
 from .checks import isFinite
 
@@ -42,6 +39,7 @@ class Fragility(NamedTuple):
 
 	def probability(self, intensity):
 		"""P(collapse) at intensities > 0, of the same shape; NaN where there is no curve."""
+		from scipy.special import ndtr
 		return ndtr(np.log(np.asarray(intensity, dtype=float) / self.median) / self.dispersion)
 
 	def band(self, intensity, level=0.95):
@@ -180,17 +178,21 @@ def _logarithms(levels, totals):
 
 
 def _logLikelihood(a, b, z, counts, totals):
+	from scipy.special import log_ndtr
 	eta = a + b * z
 	return float(counts @ log_ndtr(eta) + (totals - counts) @ log_ndtr(-eta))
 
 
 def _greatestLikelihood(levels, counts, totals):
 	"""Median and dispersion of greatest likelihood; the likelihood is log-concave, so that there is one. The dispersion is < 0 where collapse gets rarer."""
+	from scipy.optimize import root
+	from scipy.special import log_ndtr, ndtri
 	z, shift, scale = _logarithms(levels, totals)
 
 	def gradient(line):
 		eta = line[0] + line[1] * z
-		rate = counts * np.exp(norm.logpdf(eta) - log_ndtr(eta)) - (totals - counts) * np.exp(norm.logpdf(eta) - log_ndtr(-eta))
+		logDensity = -0.5 * eta**2 - 0.5 * math.log(2 * math.pi)
+		rate = counts * np.exp(logDensity - log_ndtr(eta)) - (totals - counts) * np.exp(logDensity - log_ndtr(-eta))
 		return [rate.sum(), (rate * z).sum()]
 
 	share = np.clip(counts.sum() / totals.sum(), 0.01, 0.99)
@@ -207,11 +209,12 @@ class _Region:
 	slopeCount = 121
 
 	def __init__(self, fit, level):
+		from scipy.special import ndtri
 		_checkLevel(level)
 		self.z, self.shift, self.scale = _logarithms(fit.intensities, fit.runs)
 		self.counts, self.totals = fit.collapsed, fit.runs
 		self.bestSlope = [math.log1p(self.scale / fit.dispersion)] if fit.note is None else []
-		self.allowed = self.greatest(fit) - 0.5 * chi2.ppf(level, 1)
+		self.allowed = self.greatest(fit) - 0.5 * ndtri(0.5 + 0.5 * level)**2  # half the chi square of one degree of freedom
 		flattest, steepest = self.slopeRange()
 		self.slopes = np.expm1(np.linspace(math.log1p(flattest), math.log1p(steepest), self.slopeCount))
 		self.low, self.high = np.array([self.interceptRange(slope) for slope in self.slopes]).T
@@ -230,6 +233,7 @@ class _Region:
 		return best
 
 	def bestIntercept(self, b):
+		from scipy.optimize import minimize_scalar
 		reach = (-b * self.z[-1] - 9, -b * self.z[0] + 9)
 		found = minimize_scalar(lambda a: -self.at(a, b), bounds=reach, method="bounded", options={"xatol": 1e-9})
 		return found.x, -found.fun
@@ -253,6 +257,7 @@ class _Region:
 		return tuple(sign * math.inf if excess(end) >= 0 else _zero(excess, *sorted((best, end))) for sign, end in zip((-1, 1), ends))
 
 	def band(self, x):
+		from scipy.special import ndtr
 		z = (x - self.shift) / self.scale
 		rise = np.multiply.outer(z, self.slopes)
 		return ndtr((rise + self.low).min(axis=-1)), ndtr((rise + self.high).max(axis=-1))
@@ -270,6 +275,7 @@ class _Region:
 
 
 def _zero(function, low, high):
+	from scipy.optimize import brentq
 	return brentq(function, low, high, xtol=1e-10)
 
 

@@ -270,10 +270,10 @@ def idaPlot(path, curves, intensityLabel, measureLabel, title=None, limits=None,
 	FigureCanvasAgg(figure)
 	ax = figure.subplots()
 	for index, curve in enumerate(curves):
-		_drawCurve(ax, curve, right, f"{len(curves)} motions" if index == 0 else None)
+		_drawCurve(ax, curve, right, f"{len(curves)} motions, each run a point" if index == 0 else None)
 	_drawSummary(ax, curves, shares, right)
 	ax.set_xlim(0, right)
-	ax.set_ylim(0, None)
+	ax.set_ylim(0, 1.03 * ax.get_ylim()[1])
 	ax.set_xlabel(measureLabel, fontsize=_fontSize)
 	ax.set_ylabel(intensityLabel, fontsize=_fontSize)
 	ax.tick_params(labelsize=_fontSize - 1)
@@ -305,5 +305,5 @@ def _drawSummary(ax, curves, shares, right):
 		if capacity < math.inf and capacity <= top:
 			measures, at = np.append(measures, [measures[-1], right]), np.append(at, [capacity, capacity])
 		color = _summaryColors.get(share, "black")
-		label = f"{100 * share:g} % of damage, " + (f"collapse at {capacity:.3g}" if capacity < math.inf else "no collapse")
+		label = f"{100 * share:g} % fractile, " + (f"collapse at {capacity:.3g}" if capacity < math.inf else "no collapse")
 		ax.plot(measures, at, color=color, linewidth=2.2, linestyle="-" if share == 0.5 else "--", label=label, zorder=4)
