@@ -3,12 +3,13 @@
 
     build/yade -n -x examples/14_fragility.py [--quick] [--jobs N] [--out DIR] [--help]
 
-Five intensities times ten synthetic motions, made by yade_brick.motion.syntheticNearFault with ten seeds: a table of 50 rows, whose script is shakenWall.py beside this
-file. Interrupt it (Ctrl-C) and start it again: rows that are finished are not run again. `build/yade-batch DIR/walls.table examples/shakenWall.py` would run the same table.
+Five intensities times ten synthetic motions, made by yade_brick.motion.syntheticNearFault with ten seeds: a table of 50 rows, whose script is shakenWall.py
+beside this file. Interrupt it (Ctrl-C) and start it again: rows that are finished are not run again. `build/yade-batch DIR/walls.table examples/shakenWall.py`
+would run the same table.
 
-Leaves in DIR: walls.table, walls.results/ (a folder for each row, with its log), walls.csv and walls.json (all results), fragility.png, result.json. To be seen in the figure:
-the share of walls that fell at each intensity, the lognormal curve of greatest likelihood, and how much 50 runs leave open. Some minutes; --quick: 4 runs, which determine
-no curve, and the figure says so.
+Leaves in DIR: walls.table, walls.results/ (a folder for each row, with its log), walls.csv and walls.json (all results), fragility.png, result.json. To be seen
+in the figure: the share of walls that fell at each intensity, the lognormal curve of greatest likelihood, and how much 50 runs leave open. Some minutes;
+--quick: 4 runs, which determine no curve, and the figure says so.
 """
 
 import argparse
@@ -59,9 +60,8 @@ def main():
 	if not found:
 		sys.exit("no run has a result; the logs say why")
 	fit = fragility.fitFragility([row["parameters"]["pga"] for row in found], [row["result"]["collapsed"] for row in found])
-	fragility.fragilityPlot(
-	        os.path.join(chosen.out, "fragility.png"), fit, "peak ground acceleration [m/s$^2$]", title="Small wall of rigid bricks under synthetic near-fault motions"
-	)
+	title = "Small wall of rigid bricks under synthetic near-fault motions"
+	fragility.fragilityPlot(os.path.join(chosen.out, "fragility.png"), fit, "peak ground acceleration [m/s$^2$]", title=title)
 	rows = judge(runs, fit)
 	report.writeResult(chosen.out, rows, fragility=fit.facts())
 	curve = fit.note or f"median {fit.median:.3g} m/s2, dispersion {fit.dispersion:.2f}"

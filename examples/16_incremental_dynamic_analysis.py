@@ -3,11 +3,13 @@
 
     build/yade -n -x examples/16_incremental_dynamic_analysis.py [--quick] [--jobs N] [--out DIR] [--help]
 
-The runs are rows of a table, each of them shakenWall.py beside this file; which intensity comes next follows from the results so far: upwards in growing steps, then
-halving until the collapse is known to 5 %. Interrupt it (Ctrl-C) and start it again: it takes the same way through the results that are there, and goes on.
+The runs are rows of a table, each of them shakenWall.py beside this file; which intensity comes next follows from the results so far: upwards in growing steps,
+then halving until the collapse is known to 5 %. Interrupt it (Ctrl-C) and start it again: it takes the same way through the results that are there, and goes
+on.
 
 Leaves in DIR: walls.table, walls.results/, walls.csv, ida.png (curves of all motions with 16, 50 and 84 % fractiles), result.json (collapse
-intensities, their median and dispersion). The motions are synthetic, made by yade_brick.motion.syntheticNearFault. Some minutes; --quick: two motions, a smaller wall, 30 %.
+intensities, their median and dispersion). The motions are synthetic, made by yade_brick.motion.syntheticNearFault. Some minutes; --quick: two motions, a
+smaller wall, 30 %.
 """
 
 import argparse

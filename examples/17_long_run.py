@@ -3,11 +3,11 @@
 
     build/yade -n -x examples/17_long_run.py [--demonstrate] [--duration S] [--save-every S] [--out DIR] [--help]
 
-Shakes a wall of deformable bricks. Press Ctrl-C, or kill the program, and start it with the same command again: it says from where it goes on. With --demonstrate the example
-does that to itself: one run to the end, and one that is killed (SIGKILL) twice on the way, and compares the two.
+Shakes a wall of deformable bricks. Press Ctrl-C, or kill the program, and start it with the same command again: it says from where it goes on. With
+--demonstrate the example does that to itself: one run to the end, and one that is killed (SIGKILL) twice on the way, and compares the two.
 
-Leaves in DIR: run/ (the checkpoints, of which YADE opens any: O.load('DIR/run/checkpoint-.../scene.yade.gz')), history.png and history.csv (whole, in spite of interruptions),
-result.json. To be seen with --demonstrate: histories of both runs, one over the other, and a difference of zero in the table.
+Leaves in DIR: run/ (the checkpoints, of which YADE opens any: O.load('DIR/run/checkpoint-.../scene.yade.gz')), history.png and history.csv (whole, in spite of
+interruptions), result.json. To be seen with --demonstrate: histories of both runs, one over the other, and a difference of zero in the table.
 """
 
 import argparse
@@ -66,7 +66,7 @@ def run(chosen):
 			os.kill(os.getpid(), signal.SIGKILL)
 
 	yade_brick.runWithCheckpoints(
-	        wallAtRest, os.path.join(chosen.out, "run"), duration=chosen.duration, saveEvery=chosen.save_every, keep=3, label="shaking", every=every, callback=look,
+	        wallAtRest, os.path.join(chosen.out, "run"), duration=chosen.duration, saveEvery=chosen.save_every, label="shaking", every=every, callback=look,
 	        memory=memory
 	)
 	return memory

@@ -3,8 +3,9 @@
 
     build/yade -n -x scripts/study.py TABLE SCRIPT [--jobs N] [--timeout S] [--threads N] [--rerun]
 
-The script reads its parameters with readParamsFromTable and ends with yade_brick.study.record(...). Rows that have a result of these parameters and this script are not run again;
-a run that fails does not touch the others. Results of all rows: TABLE's name with .csv and .json, and .results/ for logs. The exit status is 0 when every row has its result.
+The script reads its parameters with readParamsFromTable and ends with yade_brick.study.record(...). Rows that have a result of these parameters and this script
+are not run again; a run that fails does not touch the others. Results of all rows: TABLE's name with .csv and .json, and .results/ for logs. The exit status is
+0 when every row has its result.
 """
 
 import argparse

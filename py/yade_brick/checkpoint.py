@@ -52,10 +52,10 @@ def runWithCheckpoints(
 	O.bodies, engines by their labels. What engines and callbacks need besides (functions, plot.plots, ...) is defined outside of `build`. A checkpoint holds
 	the whole scene with time, step, engines and tags, the data of yade.plot, and `memory`.
 
-	With `saveEvery` an interruption changes no bit of the result, provided that callbacks keep in `memory` whatever they carry from one call to the next. One thing is not saved:
-	when the collider, which strides, last looked for new contacts. It looks after loading, and so it is made to look where `saveEvery` writes a checkpoint, in every run alike.
-	Checkpoints by elapsed time leave it alone, lest the machine's speed matter; a run that goes on from one of these may find the contact of a brick that flies and turns
-	a step earlier or later. The ledger O.energy is not exact over loading either.
+	With `saveEvery` an interruption changes no bit of the result, provided that callbacks keep in `memory` whatever they carry from one call to the next. One
+	thing is not saved: when the collider, which strides, last looked for new contacts. It looks after loading, and so it is made to look where `saveEvery` writes
+	a checkpoint, in every run alike. Checkpoints by elapsed time leave it alone, lest the machine's speed matter; a run that goes on from one of these may find
+	the contact of a brick that flies and turns a step earlier or later. The ledger O.energy is not exact over loading either.
 
 	A checkpoint is written at the start, at the intervals, at the end, and when the program is told to end (Ctrl-C, SIGTERM) before it does so; the `keep` newest
 	are kept. A damaged one is passed over for the one before, which is said. A finished run that is called again does nothing; with a later end it goes on.

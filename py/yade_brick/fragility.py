@@ -235,17 +235,18 @@ class _Region:
 	def bestIntercept(self, b):
 		from scipy.optimize import minimize_scalar
 		reach = (-b * self.z[-1] - 9, -b * self.z[0] + 9)
-		found = minimize_scalar(lambda a: -self.at(a, b), bounds=reach, method="bounded", options={"xatol": 1e-9})
+		found = minimize_scalar(lambda a: -self.at(a, b), bounds=reach, method="bounded", options={"xatol": 1e-7})
 		return found.x, -found.fun
 
 	def slopeRange(self):
 		"""Slopes of the flattest and the steepest line."""
 		excess = lambda t: self.bestIntercept(math.expm1(t))[1] - self.allowed
-		grid = np.unique([*np.linspace(0, math.log1p(self.steepest), 30), *self.bestSlope])  # the most likely slope is in the region, however small that is
+		grid = np.unique([*np.linspace(0, math.log1p(self.steepest), 20), *self.bestSlope])  # the most likely slope is in the region, however small that is
 		values = np.array([excess(t) for t in grid])
 		first, last = np.flatnonzero(values >= 0)[[0, -1]]
-		ends = [grid[0] if first == 0 else _zero(excess, grid[first - 1], grid[first]), grid[-1] if last == len(grid) - 1 else _zero(excess, grid[last], grid[last + 1])]
-		return np.expm1(ends)
+		flattest = grid[0] if first == 0 else _zero(excess, grid[first - 1], grid[first])
+		steepest = grid[-1] if last == len(grid) - 1 else _zero(excess, grid[last], grid[last + 1])
+		return math.expm1(flattest), math.expm1(steepest)
 
 	def interceptRange(self, b):
 		"""Lowest and highest a of lines of slope b; infinite where no run bounds it."""
@@ -276,7 +277,7 @@ class _Region:
 
 def _zero(function, low, high):
 	from scipy.optimize import brentq
-	return brentq(function, low, high, xtol=1e-10)
+	return brentq(function, low, high, xtol=1e-8)
 
 
 def _binomial(count, total):

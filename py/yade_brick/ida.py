@@ -54,8 +54,8 @@ class IdaCurve(NamedTuple):
 
 
 class HuntAndFill(NamedTuple):
-	"""Which intensities are run: upwards from `first` in growing steps until one collapses or `limit` is reached; then halving the interval between the highest that
-	stands and the lowest that collapses; then, below, in the middle of the widest gaps. Step i of the hunt is step + i x growth.
+	"""Which intensities are run: upwards from `first` in growing steps until one collapses or `limit` is reached; then halving the interval between the
+	highest that stands and the lowest that collapses; then, below, in the middle of the widest gaps. Step i of the hunt is step + i x growth.
 
 	:param first: first intensity, > 0
 	:param step: first step, > 0; growth 0 and fill 0 make it an analysis in fixed steps
@@ -204,7 +204,8 @@ def _states(table, script, options):
 def _point(level, result, measure, collapsed, log):
 	if not isFinite(result.get(measure)) or result[measure] < 0 or not isinstance(result.get(collapsed), bool):
 		raise ValueError(
-		        f"the result beside {log} has {measure} {result.get(measure)!r} and {collapsed} {result.get(collapsed)!r}; allowed are a finite number >= 0 and a truth value"
+		        f"the result beside {log} has {measure} {result.get(measure)!r} and {collapsed} {result.get(collapsed)!r}; "
+		        f"allowed are a finite number >= 0 and a truth value"
 		)
 	return IdaPoint(level, float(result[measure]), result[collapsed])
 
@@ -215,8 +216,8 @@ def _point(level, result, measure, collapsed, log):
 def summary(curves, intensities, shares=(0.16, 0.5, 0.84)):
 	"""Fractiles of damage over the motions at given intensities; infinite where so many motions have collapsed that the fractile is among them.
 
-	The fractile is the damage of one of the motions (the smallest that so large a share of them does not exceed): collapse has no number to interpolate to. Strong damage
-	is a low capacity: the 84 % fractile of damage ends where 16 % of the motions have collapsed.
+	The fractile is the damage of one of the motions (the smallest that so large a share of them does not exceed): collapse has no number to interpolate to. Strong
+	damage is a low capacity: the 84 % fractile of damage ends where 16 % of the motions have collapsed.
 
 	:param curves: list of IdaCurve
 	:param intensities: (m,)

@@ -70,7 +70,8 @@ def runStage(scene, end, stops, look=None, label="", stream=None, begin=None):
 
 	:param scene: YADE's O
 	:param end: time at which the stage is complete [s]; the last stop is there
-	:param stops: iterable of (time [s], action), rising: the action, a function or None, is called at the first step at or past the time; True ends the stage early
+	:param stops: iterable of (time [s], action), rising: the action, a function or None, is called at the first step at or past the time; True ends the stage
+		early
 	:param look: None, or a function that is called between two steps now and then in wall time; it may not change the scene
 	:param label, stream: as in runWithProgress
 	:param begin: when the stage began, where an earlier program has run a part of it [s]; by default now

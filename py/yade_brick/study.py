@@ -128,8 +128,8 @@ def _cell(value, number, name):
 def readTable(path):
 	"""The rows of a table, by the rules of readParamsFromTable, but for errors, which are said.
 
-	The first line that is not empty has the columns; # begins a comment; `=` repeats the value of the row above; `*` is the script's default; a column with ! at its
-	end makes up the description where there is none of that name. Values are expressions of Python with the names of `math`.
+	The first line that is not empty has the columns; # begins a comment; `=` repeats the value of the row above; `*` is the script's default; a column with ! at
+	its end makes up the description where there is none of that name. Values are expressions of Python with the names of `math`.
 
 	:param path: the file
 	:returns: list of Row
@@ -237,8 +237,8 @@ def folder(alone="result"):
 def record(result, dependsOn=(), alone="result"):
 	"""Records the result of this run in result.json of its folder: the last thing that a script does.
 
-	Beside the result stands what it is the result of: the row's parameters and the script's defaults, and the checksums of the script, of the modules beside it that it has
-	imported, and of the files in `dependsOn`. A row whose result fits its table and these files is finished; any other is run.
+	Beside the result stands what it is the result of: the row's parameters and the script's defaults, and the checksums of the script, of the modules beside it
+	that it has imported, and of the files in `dependsOn`. A row whose result fits its table and these files is finished; any other is run.
 
 	:param result: dict of what was found, such as dict(collapsed=True, drift=0.04); contents as in report.writeResult
 	:param dependsOn: further files that the result depends on, such as a motion's
@@ -340,11 +340,13 @@ def _scalars(result):
 def runStudy(table, script, jobs=None, timeout=None, threads=1, executable=None, rerun=False, stream=None):
 	"""Runs the script for every row of the table that has no valid result yet, several at once, and collects the results.
 
-	It may be interrupted (Ctrl-C, SIGTERM, a crash) and called again at any time: rows that are finished are not run again, rows that have failed, and those whose parameters
-	or script have changed since, are; see `record` for what counts. A run that fails does not touch the others: a crash, an exception, a time-out or a missing result
-	is recorded as its reason with the path of its log. Programs may share a table, also with runs that outlived a program that was killed: each row is run by one of them.
+	It may be interrupted (Ctrl-C, SIGTERM, a crash) and called again at any time: rows that are finished are not run again, rows that have failed, and those whose
+	parameters or script have changed since, are; see `record` for what counts. A run that fails does not touch the others: a crash, an exception, a time-out or a
+	missing result is recorded as its reason with the path of its log. Programs may share a table, also with runs that outlived a program that was killed: each row
+	is run by one of them.
 
-	Each run is a YADE of its own, started in the present folder as yade-batch does: with YADE_BATCH=table:line in its environment, no display, output in log.txt of its folder.
+	Each run is a YADE of its own, started in the present folder as yade-batch does: with YADE_BATCH=table:line in its environment, no display, output in log.txt
+	of its folder.
 
 	:param table: path of a table, such as writeTable makes
 	:param script: path of the script, which calls yade_brick.study.record

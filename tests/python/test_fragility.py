@@ -115,7 +115,7 @@ class Confidence(unittest.TestCase):
 		self.assertAlmostEqual(high, brentq(lambda x0: excess(x0, 0), fit.median, 20), delta=1e-3)
 
 	def test_intervals_hold_the_truth_as_often_as_they_say(self):
-		levels, trials = [2, 3, 4, 5], 80
+		levels, trials = [2, 3, 4, 5], 50
 		self.addCleanup(setattr, fragility._Region, "slopeCount", fragility._Region.slopeCount)
 		fragility._Region.slopeCount = 15  # a quicker one: the median's ends move by less than 1e-3
 		fits = [fragility.fitFragility(levels, experiment(seed, levels, 12, 3.2, 0.4), [12] * 4) for seed in range(trials)]

@@ -136,10 +136,11 @@ class Analysis(unittest.TestCase):
 		return ida.study.StudyReport(self.states(table), 0, 0, 0, 0.0)
 
 	def states(self, table):
-		return [
-		        {"description": row.description, "state": "finished" if row.description in self.results else "failed", "reason": "why", "log": "log", "result": self.results.get(row.description)}
-		        for row in ida.study.readTable(table)
-		]
+		states = []
+		for row in ida.study.readTable(table):
+			result = self.results.get(row.description)
+			states.append({"description": row.description, "state": "finished" if result else "failed", "reason": "why", "log": "log", "result": result})
+		return states
 
 	def analyse(self):
 		motions = {f"motion{seed}": {"seed": seed} for seed in range(3)}

@@ -203,7 +203,9 @@ class Runs(WithRows):
 
 	def test_bad_arguments_are_refused_before_anything_is_run(self):
 		self.table(a="well")
-		for options, words in ((dict(jobs=0), "jobs is 0"), (dict(timeout=-1), "timeout is -1"), (dict(threads=True), "threads is True"), (dict(executable="yade"), "executable")):
+		for options, words in (
+		        (dict(jobs=0), "jobs is 0"), (dict(timeout=-1), "timeout is -1"), (dict(threads=True), "threads is True"), (dict(executable="yade"), "executable")
+		):
 			with self.assertRaisesRegex(ValueError, words):
 				self.run_(**options)
 		with self.assertRaisesRegex(ValueError, "no such file"):
@@ -218,7 +220,8 @@ class Interruption(WithRows):
 	"""The runner itself as a program of its own."""
 
 	def start(self):
-		driver = f"import sys; sys.path.insert(0, {here!r}); import standalone; standalone.load('study').runStudy('a.table', 'row.py', executable={executable!r}, jobs=2)"
+		driver = f"import sys; sys.path.insert(0, {here!r}); import standalone; study = standalone.load('study'); "
+		driver += f"study.runStudy('a.table', 'row.py', executable={executable!r}, jobs=2)"
 		process = subprocess.Popen([sys.executable, "-c", driver], stderr=subprocess.DEVNULL)
 		deadline = time.time() + 60
 		while not os.path.exists("runs.txt") and time.time() < deadline:
