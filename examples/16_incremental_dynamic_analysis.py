@@ -45,7 +45,7 @@ def judge(curves, plan):
 def main():
 	chosen = options()
 	if chosen.quick:
-		plan = ida.HuntAndFill(first=2.0, step=4.0, limit=20.0, growth=4.0, tolerance=0.3)
+		plan = ida.HuntAndFill(first=5.0, step=3.0, limit=20.0, tolerance=0.3)
 		motions = {f"seed{seed}": {"seed": seed, "columns": 2, "courses": 3, "duration": 3.0} for seed in (1, 2)}
 	else:
 		plan = ida.HuntAndFill(first=1.0, step=1.0, limit=20.0, growth=0.25, tolerance=0.05, fill=2)

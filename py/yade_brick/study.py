@@ -7,9 +7,12 @@
 """Studies: tables of parameters, runs that resume, results in one table."""
 
 import csv
+import hashlib
+import json
 import math
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -249,17 +252,42 @@ def record(result, dependsOn=(), alone="result"):
 	"""
 	if not isinstance(result, dict):
 		raise ValueError(f"result is {result!r}; allowed is a dict from names to what was found")
-	current = row()
-	given = current.parameters if current else {}
+	given = _given()
 	used = getattr(sys.modules.get("yade.params.table"), "__all__", ())
 	defaults = {name: getattr(sys.modules["yade.params.table"], name) for name in used if name not in given}
-	script = os.path.abspath(sys.argv[0])
-	sources = {script, *_modulesBeside(script), *map(os.path.abspath, dependsOn)}
 	place = folder(alone)
-	# relative paths: a study that is moved as a whole stays finished
-	sums = {os.path.relpath(path, place): files.checksum(path) for path in sorted(sources)}
+	sums = _checksums(dependsOn, place)
 	content = {"row": given, "defaults": {name: value for name, value in defaults.items() if _isPlain(value)}, "files": sums, "result": result}
 	return report.writeJson(os.path.join(place, "result.json"), content)
+
+
+def checkpointFolder(dependsOn=(), alone="result"):
+	"""The folder for runWithCheckpoints within this run's folder: another one for other parameters of the row, another script or module, so that a run goes on from its own
+	past only. Those of an earlier script are removed.
+
+	:param dependsOn, alone: as in `record`
+	:returns: path, not made yet
+	"""
+	place = folder(alone)
+	identity = json.dumps([_given(), _checksums(dependsOn, place)], sort_keys=True)
+	name = f"run-{hashlib.sha256(identity.encode()).hexdigest()[:12]}"
+	for other in os.listdir(place):
+		if re.fullmatch(r"run-[0-9a-f]{12}", other) and other != name:
+			shutil.rmtree(os.path.join(place, other))
+	return os.path.join(place, name)
+
+
+def _given():
+	"""The parameters of this run's row."""
+	current = row()
+	return current.parameters if current else {}
+
+
+def _checksums(dependsOn, place):
+	"""Of the script, the modules beside it and further files, by path from the folder `place`: a study that is moved as a whole stays finished."""
+	script = os.path.abspath(sys.argv[0])
+	sources = {script, *_modulesBeside(script), *map(os.path.abspath, dependsOn)}
+	return {os.path.relpath(path, place): files.checksum(path) for path in sorted(sources)}
 
 
 def _modulesBeside(script):
@@ -430,6 +458,8 @@ class _Runs:
 				time.sleep(self.lookSeconds)
 				self.look()
 		finally:
+			if waiting or self.going:
+				self.display.write(f"interrupted with {len(waiting) + len(self.going)} rows left; the same call goes on with them")
 			for run in self.going:
 				run.process.terminate()
 			for run in self.going:

@@ -176,6 +176,19 @@ class Runs(WithRows):
 				file.write("# changed\n" if text is None else text)
 			self.assertEqual(self.run_().run, 1, path)
 
+	def test_a_run_finds_its_own_checkpoints_and_not_those_of_another_script(self):
+		self.write("row.py", script.format(here=here).replace("study.record(", "os.makedirs(study.checkpointFolder(), exist_ok=True)\nstudy.record("))
+		self.table(a="well")
+		found = []
+		for change in ("", "", "# changed\n"):
+			with open("row.py", "a") as file:
+				file.write(change)
+			self.run_(rerun=True)
+			found.append([name for name in os.listdir("a.results/a") if name.startswith("run-")])
+			self.assertEqual(len(found[-1]), 1)
+		self.assertEqual(found[0], found[1])
+		self.assertNotEqual(found[1], found[2])
+
 	def test_a_study_that_is_moved_as_a_whole_stays_finished(self):
 		os.mkdir("before")
 		os.chdir("before")
