@@ -262,8 +262,8 @@ def record(result, dependsOn=(), alone="result"):
 
 
 def checkpointFolder(dependsOn=(), alone="result"):
-	"""The folder for runWithCheckpoints within this run's folder: another one for other parameters of the row, another script or module, so that a run goes on from its own
-	past only. Those of an earlier script are removed.
+	"""The folder for runWithCheckpoints within this run's folder: another one for other parameters of the row, another script or module, so that a run goes on
+	from its own past only. Those of an earlier script are removed.
 
 	:param dependsOn, alone: as in `record`
 	:returns: path, not made yet
