@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 #
-# build/yade: the installed YADE with our library, Python package and checks at hand, without root and without touching it.
+# build/yade, build/yade-batch: the installed YADE with our library, Python package and checks at hand, without root and without touching it.
 #
 #   build/prefix/   what YADE_PREFIX names: links to the installed libraries and checks, and to ours. YADE opens all of these
 #                   libraries while it starts, so our classes are there in every script, in --test, in --check and in the GUI.
@@ -21,5 +21,7 @@ add_custom_target(
 add_dependencies(overlay pkg_brick)
 
 configure_file(cmake/_build.py.in ${CMAKE_BINARY_DIR}/py/yade_brick/_build.py @ONLY)
-configure_file(cmake/yade.in ${CMAKE_BINARY_DIR}/yade @ONLY FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
-																			   WORLD_EXECUTE)
+foreach(program yade yade-batch)
+	configure_file(cmake/${program}.in ${CMAKE_BINARY_DIR}/${program} @ONLY FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+																							  WORLD_READ WORLD_EXECUTE)
+endforeach()

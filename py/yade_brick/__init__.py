@@ -36,14 +36,20 @@ def _load():
 _classes = _load()
 globals().update(_classes)
 
-from . import (, assembly, bill, blocks, bonds, build, houses, loop, motion, openings, picture, piers, progress, report, rest, snapshot, walls
+from . import (
+        (, assembly, bill, blocks, bonds, build, checkpoint, files, fragility, houses, ida, loop, motion, openings, picture, piers, progress, report, rest,
+        snapshot, study, walls
+)
 from .animation import Film
 from .arches import Arch, Piers, arch, barrelVault, ellipticalLine, pointedLine, segmentalLine, semicircularLine
 from .assembly import assembled
 from .bill import Bill
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
+from .checkpoint import runWithCheckpoints
+from .fragility import fitFragility, fragilityPlot
 from .histories import Histories, wallHistories
 from .houses import Floor, house
+from .ida import HuntAndFill, idaPlot, incrementalDynamicAnalysis
 from .joints import JointList, layMortar, listJoints
 from .loop import Loop, effects, engines
 from .masonryCheck import MasonryCheck, checkMasonry
@@ -57,6 +63,7 @@ from .progress import runWithProgress
 from .rest import isAtRest, restState
 from .segments import SegmentRecord
 from .snapshot import JointRecord, patches
+from .study import runStudy, writeTable
 from .walls import bondedWall, wallsAlong
         animation, arches, assembly, bill, build, faces, histories, joints, loop, masonryCheck, mesh, motion, paraview, picture, progress, report, rest,
         segments, snapshot, solids

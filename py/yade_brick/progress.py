@@ -37,7 +37,7 @@ _barSeconds, _lineSeconds, _lookSeconds = 0.2, 5.0, 0.05
 
 #: A stop falls on the first step whose time is later than the time asked for less this share of a step: sums of dt carry round-off
 #: (about 1e-16 of the time at each step, 1e-4 of a step after a million), and a whole step more or less would be a different run.
-_stepShare = 1e-3
+stepShare = 1e-3
 
 
 def runWithProgress(duration=None, until=None, label="", every=None, callback=None, scene=None, stream=None):
@@ -60,15 +60,37 @@ def runWithProgress(duration=None, until=None, label="", every=None, callback=No
 	"""
 	if scene is None:
 		from yade import O as scene
-	end = _endOfStage(scene, duration, until)
-	_checkCallback(every, callback)
+	end = endOfStage(scene, duration, until)
+	checkCallback(every, callback)
+	return runStage(scene, end, _stops(scene.time, end, every, callback), label=label, stream=stream)
+
+
+def runStage(scene, end, stops, look=None, label="", stream=None, begin=None):
+	"""Runs to the last of the stops: the loop that stages of every kind share.
+
+	:param scene: YADE's O
+	:param end: time at which the stage is complete [s]; the last stop is there
+	:param stops: iterable of (time [s], action), rising: the action, a function or None, is called at the first step at or past the time; True ends the stage
+		early
+	:param look: None, or a function that is called between two steps now and then in wall time; it may not change the scene
+	:param label, stream: as in runWithProgress
+	:param begin: when the stage began, where an earlier program has run a part of it [s]; by default now
+	:returns: StageReport, of this program's part
+	"""
 	start, firstStep, begun = scene.time, scene.iter, time.perf_counter()
-	display = _display(label, end - start, stream or sys.stderr)
+	origin = start if begin is None else begin
+	display = _display(label, end - origin, start - origin, stream or sys.stderr)
+
+	def show():
+		display.show(scene.time - origin, scene.iter - firstStep)
+		if look is not None:
+			look()
+
 	finished = True
 	try:
-		for stop in _stops(start, end, every):
-			_stepTo(scene, stop, lambda: display.show(scene.time - start, scene.iter - firstStep))
-			if callback is not None and callback() is True and stop < end:
+		for stop, action in stops:
+			_stepTo(scene, stop, show)
+			if action is not None and action() is True and stop < end:
 				finished = False
 				break
 	finally:
@@ -76,7 +98,7 @@ def runWithProgress(duration=None, until=None, label="", every=None, callback=No
 	return StageReport(scene.iter - firstStep, scene.time - start, time.perf_counter() - begun, finished)
 
 
-def _endOfStage(scene, duration, until):
+def endOfStage(scene, duration, until):
 	if (duration is None) == (until is None):
 		raise ValueError(f"duration is {duration} and until is {until}; allowed is exactly one of them")
 	if duration is not None and not (isFinite(duration) and duration > 0):
@@ -91,25 +113,29 @@ def _endOfStage(scene, duration, until):
 	return end
 
 
-def _checkCallback(every, callback):
+def checkCallback(every, callback):
 	if (every is None) != (callback is None):
 		raise ValueError("every and callback go together; one of them is missing")
 	if every is not None and not (isFinite(every) and every > 0):
 		raise ValueError(f"every is {every!r}; allowed is a finite number of seconds > 0")
 
 
-def _stops(start, end, every):
-	"""The times to stop at, the last one being the end."""
-	if every is not None:
-		# The last multiple may fall on the end, but for round-off.
-		for count in range(1, int(math.ceil((end - start) / every * (1 - 1e-12)))):
-			yield start + count * every
-	yield end
+def _stops(start, end, every, action):
+	"""The times to stop at, each with what is to be done there; the last one is the end."""
+	for count in range(1, multiplesBefore(start, end, every) + 1):
+		yield start + count * every, action
+	yield end, action
+
+
+def multiplesBefore(start, end, every):
+	"""How many times start + count * every, count >= 1, come before the end; none without `every`."""
+	# The last multiple may fall on the end, but for round-off.
+	return 0 if every is None else int(math.ceil((end - start) / every * (1 - 1e-12))) - 1
 
 
 def _stepTo(scene, stop, look):
 	"""Steps to `stop`; `look` is called now and then, and at the end."""
-	target = stop - _stepShare * scene.dt
+	target = stop - stepShare * scene.dt
 	step, clock = scene.step, time.perf_counter
 	nextLook = clock() + _lookSeconds
 	while scene.time <= target:
@@ -120,22 +146,23 @@ def _stepTo(scene, stop, look):
 	look()
 
 
-def _display(label, total, stream):
+def _display(label, total, done, stream):
+	"""What shows the progress of a stage of `total` seconds, of which an earlier program has done some."""
 	if stream.isatty():
 		try:
-			return _BarDisplay(label, total, stream)
+			return _BarDisplay(label, total, done, stream)
 		except ImportError:
 			pass  # without tqdm a terminal gets the lines that a log gets
-	return _LineDisplay(label, total, stream)
+	return _LineDisplay(label, total, done, stream)
 
 
 class _BarDisplay:
 	"""tqdm's bar, counting simulated seconds."""
 
-	def __init__(self, label, total, stream):
+	def __init__(self, label, total, done, stream):
 		from tqdm import tqdm
 		form = "{desc} {percentage:3.0f}%|{bar}| {n:.3f}/{total:.3f} s, {elapsed}<{remaining}{postfix}"
-		self.bar = tqdm(total=total, desc=label, file=stream, bar_format=form, dynamic_ncols=True)
+		self.bar = tqdm(total=total, initial=done, desc=label, file=stream, bar_format=form, dynamic_ncols=True)
 
 	def show(self, simulated, steps):
 		self.bar.set_postfix_str(f"{steps} steps", refresh=False)
@@ -148,10 +175,10 @@ class _BarDisplay:
 class _LineDisplay:
 	"""A line every few seconds, and one at the end."""
 
-	def __init__(self, label, total, stream):
-		self.label, self.total, self.stream = label, total, stream
+	def __init__(self, label, total, done, stream):
+		self.label, self.total, self.done, self.stream = label, total, done, stream
 		self.begun = self.shown = time.perf_counter()
-		self.simulated = self.steps = 0
+		self.simulated, self.steps = done, 0
 
 	def show(self, simulated, steps):
 		self.simulated, self.steps = simulated, steps
@@ -165,14 +192,14 @@ class _LineDisplay:
 		self.shown = time.perf_counter()
 		elapsed = self.shown - self.begun
 		share = min(1.0, self.simulated / self.total)
-		left = f", {_clock(elapsed * (1 / share - 1))} left" if 0 < share < 1 else ""
+		left = f", {clock(elapsed * (self.total - self.simulated) / (self.simulated - self.done))} left" if self.done < self.simulated < self.total else ""
 		self.stream.write(
-		        f"{self.label}: {self.simulated:.3f} of {self.total:.3f} s ({100 * share:.0f} %), {self.steps} steps, {_clock(elapsed)} elapsed{left}\n"
+		        f"{self.label}: {self.simulated:.3f} of {self.total:.3f} s ({100 * share:.0f} %), {self.steps} steps, {clock(elapsed)} elapsed{left}\n"
 		)
 		self.stream.flush()
 
 
-def _clock(seconds):
+def clock(seconds):
 	"""Minutes and seconds, with hours where there are any."""
 	minutes, seconds = divmod(int(round(seconds)), 60)
 	hours, minutes = divmod(minutes, 60)

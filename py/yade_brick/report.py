@@ -6,11 +6,11 @@
 import json
 import math
 import os
-import tempfile
 
 import numpy as np
 
 from .checks import isNumber
+from .files import replacing
 
 
 def judgedRow(id, got, expected=None, tolerance=None, limit=None, **more):
@@ -61,14 +61,17 @@ def writeResult(outDir, rows=None, **facts):
 	"""
 	content = {} if rows is None else {"rows": _checkedRows(rows)}
 	content.update(facts)
-	text = json.dumps(_plain(content, "result"), indent="\t", allow_nan=False) + "\n"
-	os.makedirs(outDir, exist_ok=True)
-	path = os.path.join(outDir, "result.json")
-	handle, unfinished = tempfile.mkstemp(prefix=".result-", dir=outDir)
-	with os.fdopen(handle, "w") as file:
+	return writeJson(os.path.join(outDir, "result.json"), content, "result")
+
+
+def writeJson(path, content, name="content"):
+	"""Writes facts as JSON, the whole file at once; contents and errors as in writeResult. Returns the path.
+
+	:param name: what the content is called in an error
+	"""
+	text = json.dumps(plain(content, name), indent="\t", allow_nan=False) + "\n"
+	with replacing(path) as file:
 		file.write(text)
-	os.chmod(unfinished, 0o644)
-	os.replace(unfinished, path)
 	return path
 
 
@@ -88,19 +91,19 @@ def _checkedRows(rows):
 	return list(rows)
 
 
-def _plain(value, place):
+def plain(value, place):
 	"""The value in types that JSON knows; `place` says in an error where it is."""
 	if isinstance(value, dict):
 		wrong = [key for key in value if not isinstance(key, str)]
 		if wrong:
 			raise ValueError(f"{place} has the key {wrong[0]!r}; allowed are texts")
-		return {key: _plain(entry, f"{place}[{key!r}]") for key, entry in value.items()}
+		return {key: plain(entry, f"{place}[{key!r}]") for key, entry in value.items()}
 	if isinstance(value, np.ndarray):
-		return _plain(value.tolist(), place)
+		return plain(value.tolist(), place)
 	if isinstance(value, (list, tuple)):
-		return [_plain(entry, f"{place}[{i}]") for i, entry in enumerate(value)]
+		return [plain(entry, f"{place}[{i}]") for i, entry in enumerate(value)]
 	if isinstance(value, np.generic):
-		return _plain(value.item(), place)
+		return plain(value.item(), place)
 	if isinstance(value, float):
 		return value if math.isfinite(value) else None
 	if value is None or isinstance(value, (bool, int, str)):

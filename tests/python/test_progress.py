@@ -4,6 +4,7 @@
 
 import io
 import math
+import re
 import unittest
 
 import standalone
@@ -87,8 +88,19 @@ class ProgressTest(unittest.TestCase):
 		self.assertRegex(lines[-1], r"^stage: 0.004 of 0.004 s \(100 %\), 4 steps, 0:00 elapsed$")
 		self.assertNotIn("\r", self.shown.getvalue())
 
+	def test_stage_that_goes_on_shows_its_share_of_the_whole_and_the_time_its_own_speed_needs(self):
+		progress._lookSeconds = progress._lineSeconds = 0
+		scene, clock = Scene(), iter(range(1000))
+		scene.time = 0.006
+		self.addCleanup(setattr, progress.time, "perf_counter", progress.time.perf_counter)
+		progress.time.perf_counter = lambda: next(clock)
+		report = progress.runStage(scene, 0.008, [(0.008, None)], label="stage", stream=self.shown, begin=0.0)
+		elapsed, left = re.search(r"^stage: 0.007 of 0.008 s \(88 %\), 1 steps, 0:(\d+) elapsed, 0:(\d+) left$", self.shown.getvalue(), re.M).groups()
+		self.assertEqual(int(left), int(elapsed))  # one of two steps is done, whatever came before
+		self.assertEqual((report.steps, report.finished), (2, True))
+
 	def test_clock_shows_hours_only_when_there_are_any(self):
-		self.assertEqual([progress._clock(seconds) for seconds in (0, 59.6, 3599, 3661)], ["0:00", "1:00", "59:59", "1:01:01"])
+		self.assertEqual([progress.clock(seconds) for seconds in (0, 59.6, 3599, 3661)], ["0:00", "1:00", "59:59", "1:01:01"])
 
 	def test_bad_stages_are_refused_with_the_value(self):
 		scene = Scene()
