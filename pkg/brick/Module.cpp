@@ -20,6 +20,7 @@
 #include <boost/python/handle.hpp>
 #include <boost/python/import.hpp>
 #include <boost/python/list.hpp>
+#include <boost/python/make_function.hpp>
 
 #include <algorithm>
 
@@ -160,6 +161,19 @@ namespace {
 		OpenGLRenderer::initDone = false; // or the 3-D view, if open, would not know how to treat the new classes
 	}
 
+	/// Lets interactions and shapes find their functors in the loop that runs next: YADE keeps those that they met first, whatever O.engines is later.
+	void forgetFunctors()
+	{
+		const Scene& scene = *Omega::instance().getScene();
+		for (const auto& I : *scene.interactions) {
+			auto& known      = I->functorCache;
+			known.geomExists = true; // as far as is known
+			known.geom.reset(), known.phys.reset(), known.constLaw.reset();
+		}
+		for (const auto& b : *scene.bodies)
+			if (b && b->shape) b->shape->boundFunctor.reset();
+	}
+
 	py::list load()
 	{
 #ifndef YADE_BRICK_REAL_HEADERS
@@ -180,7 +194,7 @@ extern "C" __attribute__((visibility("default"))) PyObject* PyInit__core()
 {
 	static PyModuleDef definition = { PyModuleDef_HEAD_INIT,
 		                          "_core",
-		                          "Names of the classes of yade_brick; what they were compiled with.",
+		                          "Names of the classes of yade_brick; what they were compiled with; a helper of the engine loop.",
 		                          -1,
 		                          nullptr,
 		                          nullptr,
@@ -188,9 +202,11 @@ extern "C" __attribute__((visibility("default"))) PyObject* PyInit__core()
 		                          nullptr,
 		                          nullptr };
 	try {
-		const boost::python::list names = yade::load();
-		PyObject* const           self  = PyModule_Create(&definition);
+		const boost::python::list names  = yade::load();
+		const auto                forget = boost::python::make_function(&yade::forgetFunctors);
+		PyObject* const           self   = PyModule_Create(&definition);
 		if (self && PyModule_AddObject(self, "classes", boost::python::incref(names.ptr())) == 0
+		    && PyModule_AddObject(self, "forgetFunctors", boost::python::incref(forget.ptr())) == 0
 		    && PyModule_AddStringConstant(self, "headers", yade::headers) == 0)
 			return self;
 	} catch (const boost::python::error_already_set&) {

@@ -47,6 +47,9 @@ def engines(
 	:raises ValueError: naming the argument, its value and what is allowed; or when the scene has no bricks. O.dt and O.trackEnergy are then as they were
 	"""
 	from yade import BrickDynamics, BrickTimeStepper, ForceResetter, NewtonIntegrator, O
+	from . import _core
+	if O.running:
+		raise ValueError("the simulation is running; allowed is to ask for engines while it is paused")
 	gravity = _gravity(gravity)
 	damping = _number(damping, "damping", lambda value: 0 <= value < 1, "0 <= damping < 1")
 	safety = _number(safety, "safety", lambda value: 0 < value <= 1, "0 < safety <= 1")
@@ -75,6 +78,7 @@ def engines(
 		O.dt = dt
 	if ledger is not None:
 		O.trackEnergy = ledger
+	_core.forgetFunctors()  # or pairs that are in touch already would go on with those of the loop before
 	return loop
 
 

@@ -232,6 +232,22 @@ class AsByHand(Empty):
 					self.assertGreater(max(abs(body.state.vel[0]) for body in masonry.bodies), 1e-4)
 				self.assertEqual(*states)
 
+	def test_a_loop_made_anew_in_mid_run_is_heeded(self):
+		wall(adobe(strength=2e3), columns=3, courses=4)
+		O.engines = engines()
+		MortarJoints()()
+		StaticEquilibrium()()
+		O.run(10, True)
+		self.assertEqual(collapse.state()['failures'][:3], [0, 0, 0])
+		O.engines = engines(failure=False, motion=motion())
+		O.run(2000, True)
+		self.assertFalse(any(any(i.phys.segmentState) for i in O.interactions if i.isReal))
+		O.engines = loop = engines(motion=motion())
+		O.run(2000, True)
+		failed = sum(map(bool, (state for i in O.interactions if i.isReal for state in i.phys.segmentState)))
+		self.assertGreater(failed, 0)
+		self.assertGreaterEqual(loop.law.tensionFailures + loop.law.shearFailures, failed)
+
 	def test_joints_alone_find_no_contact(self):
 		O.bodies.append(utils.wall(0, axis=2, sense=1, material=adobe()))
 		falling = yade_brick.brick((.2, .2, .2), center=(0, 0, .1001), material=adobe())
