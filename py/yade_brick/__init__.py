@@ -36,16 +36,26 @@ def _load():
 _classes = _load()
 globals().update(_classes)
 
-from . import assembly, bill, build, loop, motion, picture, progress, report, rest, snapshot
+from . import assembly, bill, build, capacity, designSpectrum, intensity, loop, motion, motionFiles, motionPicture, picture, progress, pulses
+from . import quasiStatic, report, rest, snapshot, spectrum, spectrumCompatible, synthetic
 from .assembly import assembled
 from .bill import Bill
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
+from .capacity import capacityCurve, capacityPlot
+from .designSpectrum import elasticSpectrum
 from .loop import Loop, effects, engines
-from .motion import Motion, readAt2, readColumns, syntheticNearFault
+from .motion import Motion, combineComponents
+from .motionFiles import readAt2, readAt2Components, readColumns, writeColumns
+from .motionPicture import motionPlot
 from .picture import historyPlot, pictureSeries, wallPicture
 from .progress import runWithProgress
+from .pulses import syntheticHalfSine, syntheticHarmonic, syntheticPulse, syntheticRicker, syntheticSweep
+from .quasiStatic import pushover, tiltingTable
 from .rest import isAtRest, restState
 from .snapshot import JointRecord, patches
+from .spectrum import responseSpectrum
+from .spectrumCompatible import syntheticFromSpectrum
+from .synthetic import syntheticNearFault
 
 # Modules stay out of `from yade_brick import *`: names such as `motion` and `report` are often a script's own.
 __all__ = sorted(name for name, value in globals().items() if not name.startswith('_') and type(value) is not type(_sys))
