@@ -163,9 +163,9 @@ class Motion:
 		the peak may fall. Finer: linear between samples, which is the same motion, since GroundMotion is linear there; or, if asked,
 		band-limited by the same filter, which adds nothing above the old Nyquist frequency and rounds the corners off.
 
-		:param dt: new interval [s], > 0; with a filter, dt and the present one have to be as whole numbers up to 1000
-		:param bandLimited: for a finer interval
-		:raises ValueError: for other ratios, and when fewer than two samples would be left
+		:param dt: new interval [s], > 0; a filter meets it to a millionth, by the nearest ratio of whole numbers up to 1000
+		:param bandLimited: for a finer interval, down to a thousandth
+		:raises ValueError: when fewer than two samples would be left, or for more than a thousand in place of one by a filter
 		"""
 		checkPositive(dt, "dt", "s")
 		# A duration that is a whole number of new intervals keeps its last sample in spite of round-off.
@@ -369,9 +369,9 @@ _filterCorner, _filterReach, _filterBeta = 0.9, 32, 8.0
 def _filteredAt(acceleration, oldDt, newDt):
 	"""The samples at multiples of newDt, low-pass filtered without phase shift; zero before and after."""
 	from scipy.signal import firwin, resample_poly
-	ratio = Fraction(oldDt / newDt).limit_denominator(1000) if oldDt <= 1000 * newDt else 0
-	if not ratio or abs(float(ratio) * newDt / oldDt - 1) > 1e-6:
-		raise ValueError(f"dt is {newDt} s, the motion's own {oldDt} s; allowed with a filter are those that are as whole numbers up to 1000")
+	if not oldDt / 1000 <= newDt <= 1000 * oldDt:
+		raise ValueError(f"dt is {newDt} s; allowed with a filter are {oldDt / 1000} to {1000 * oldDt} s, a thousandth to a thousand times the motion's own")
+	ratio = Fraction(oldDt / newDt).limit_denominator(1000)
 	if ratio == 1:
 		return acceleration
 	longer = max(ratio.numerator, ratio.denominator)
