@@ -15,9 +15,12 @@ from .spectrum import checkedPeriods, pseudoAcceleration, responseSpectrum
 #: Periods, evenly spread on a logarithmic scale, at which the spectrum is judged; every other one is matched.
 judgedPeriods = 201
 
-#: Draws of phases at most; corrections of Fourier amplitudes, then by wavelets at most; what is left of the envelope at the end; share of the tolerance that is
-#: used at the judged periods, for those between them; how much small weights of wavelets are preferred.
-_attempts, _spectralRounds, _waveletRounds, _envelopeEnd, _ownShare, _ridge = 5, 6, 12, 0.05, 0.95, 0.02
+#: Draws of phases at most; corrections of Fourier amplitudes, then by wavelets at most, and the part of a correction below which a draw is given up.
+_attempts, _spectralRounds, _waveletRounds, _leastStep = 12, 4, 12, 0.2
+
+#: Share of the tolerance that is used at the judged periods, for those between them; how much small weights of wavelets are preferred; what is left of the
+#: envelope at the end.
+_ownShare, _ridge, _envelopeEnd = 0.95, 0.1, 0.05
 
 
 def syntheticFromSpectrum(
@@ -87,7 +90,7 @@ def _attempted(judged, wanted, dt, envelope, damping, seeds, tolerance):
 		acceleration = withoutDrift(_amplitudesCorrected(acceleration, dt, judged, ratios) * inside, envelope, dt)
 	found, step = _found(acceleration, dt, judged, damping), 1.0
 	for _ in range(_waveletRounds):
-		if np.abs(found / wanted - 1).max() < _ownShare * tolerance:
+		if step < _leastStep or np.abs(found / wanted - 1).max() < _ownShare * tolerance:
 			break
 		added = _wavelets(acceleration, dt, judged[::2], step * (wanted - found)[::2], damping, inside)
 		tried = withoutDrift(acceleration + added, envelope, dt)
