@@ -50,7 +50,7 @@ from .motionPicture import motionPlot
 from .picture import historyPlot, pictureSeries, wallPicture
 from .progress import runWithProgress
 from .pulses import syntheticHalfSine, syntheticHarmonic, syntheticPulse, syntheticRicker, syntheticSweep
-from .quasiStatic import pushover, tiltingTable
+from .quasiStatic import loadAt, pushover, tiltAt, tiltingTable
 from .rest import isAtRest, restState
 from .snapshot import JointRecord, patches
 from .spectrum import responseSpectrum

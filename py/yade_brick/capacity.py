@@ -15,41 +15,48 @@ class CapacityCurve:
 
 	:param displacement: of the control point along the push, (n,) [m]
 	:param coefficient: base shear over the weight (or over the normal force that is given), (n,) [-]
-	:param balanced: number of samples for which the structure is in equilibrium with the load; n where no load was given
+	:param applied: coefficient that the load has, (n,) [-]; infinite where it is not known
+	:param balanced: number of samples until equilibrium with the load is lost; n if it is not, or not known
 	"""
 
 	displacement: np.ndarray
 	coefficient: np.ndarray
+	applied: np.ndarray
 	balanced: int
 
 	@property
 	def multiplier(self):
-		"""Collapse multiplier: the largest coefficient as long as there is equilibrium; a lower bound unless `collapsed`."""
-		return float(self.coefficient[:self.balanced].max())
+		"""Collapse multiplier: the largest coefficient that was both applied and borne before equilibrium was lost; a lower bound unless `collapsed`."""
+		return float(self._borne().max())
 
 	@property
 	def displacementAtMultiplier(self):
 		"""Control displacement there [m]."""
-		return float(self.displacement[int(np.argmax(self.coefficient[:self.balanced]))])
+		return float(self.displacement[int(np.argmax(self._borne()))])
 
 	@property
 	def collapsed(self):
 		"""Whether the structure lost its equilibrium before the histories end."""
 		return self.balanced < len(self.coefficient)
 
+	def _borne(self):
+		# What cracking stirs up shakes the base shear about the load; its peaks are no capacity.
+		return np.minimum(self.coefficient, self.applied)[:self.balanced]
 
-def capacityCurve(displacement, baseShear, normal, applied=None, tolerance=0.01):
+
+def capacityCurve(displacement, baseShear, normal, applied=None, tolerance=0.01, patience=50):
 	"""The capacity curve from histories of equal length.
 
 	Once more is applied than the structure can bear it accelerates, and the base shear goes on growing for a while with the load: for a block that turns over,
-	at a quarter of the load's rate or more. So where `applied` is given the multiplier is the largest coefficient until it first differs from the applied one by
-	more than `tolerance`. Without it, it is simply the largest, and depends on the rate.
+	at a quarter of the load's rate or more. So where `applied` is given, equilibrium counts as lost from where the base shear stays behind the load by more than
+	`tolerance`, for `patience` samples in a row or to the end. Without it, the multiplier is simply the largest coefficient, and depends on the rate.
 
 	:param displacement: of a control point along the push, (n,) [m]
-	:param baseShear: sum of the forces on the supports along the push, (n,) [N]
+	:param baseShear: sum of the forces on the supports along the push, (n,) [N]: in a scene O.forces.f(id) of each support
 	:param normal: weight [N], > 0; for a tilting table the sum of the forces on the supports across the table, (n,) [N], each > 0
 	:param applied: coefficient that the load has, (n,) [-]: push over gravity, tangent of the tilt; None: unknown
-	:param tolerance: [-], > 0; above what the smooth start stirs up
+	:param tolerance: [-], > 0
+	:param patience: samples, >= 1: longer than half a period of what cracking stirs up
 	:returns: CapacityCurve
 	:raises ValueError: naming the argument and what is allowed
 
@@ -65,15 +72,28 @@ def capacityCurve(displacement, baseShear, normal, applied=None, tolerance=0.01)
 			raise ValueError(f"normal falls to {normal.min():g} N; allowed are numbers > 0")
 	else:
 		checkPositive(normal, "normal", "N")
-	checkPositive(tolerance, "tolerance", "")
+	checkPositive(tolerance, "tolerance", "(a coefficient)")
+	if not isinstance(patience, int) or isinstance(patience, bool) or patience < 1:
+		raise ValueError(f"patience is {patience!r}; allowed is a whole number >= 1")
 	coefficient = baseShear / normal
-	balanced = len(coefficient)
-	if applied is not None:
-		out = np.flatnonzero(np.abs(_history(applied, "applied", len(displacement)) - coefficient) > tolerance)
-		balanced = int(out[0]) if len(out) else balanced
-		if not balanced:
-			raise ValueError(f"baseShear is {coefficient[0]:g} of normal in the first sample, off what is applied; the history has to begin at rest")
-	return CapacityCurve(displacement, coefficient, balanced)
+	if applied is None:
+		return CapacityCurve(displacement, coefficient, np.full(len(coefficient), np.inf), len(coefficient))
+	applied = _history(applied, "applied", len(displacement))
+	balanced = _lossOf(applied - coefficient <= tolerance, patience)
+	if not balanced:
+		raise ValueError(f"baseShear is {coefficient[0]:g} of normal at first, behind the {applied[0]:g} that is applied; the histories have to begin at rest")
+	return CapacityCurve(displacement, coefficient, applied, balanced)
+
+
+def _lossOf(holds, patience):
+	"""Number of samples before the first stretch of `patience` that do not hold, or one that lasts to the end; all if there is none."""
+	begin = 0
+	for place, held in enumerate(holds):
+		if held:
+			begin = place + 1
+		elif place + 1 - begin >= patience:
+			break
+	return begin
 
 
 def _history(values, name, length):

@@ -78,6 +78,17 @@ class CapacityTest(FileCase):
 		self.assertTrue(curve.collapsed)
 		self.assertAlmostEqual(curve.multiplier, 0.2, delta=0.01 / 3 + 1e-3)  # a third of the tolerance, and one sample
 
+	def test_shaking_by_cracks_is_neither_a_loss_of_equilibrium_nor_a_capacity(self):
+		load = np.linspace(0, 0.4, 401)
+		shaken = load + 0.03 * np.sin(np.arange(401) / 10) * (load > 0.1)
+		fallen = load > 0.3
+		curve = capacity.capacityCurve(load, np.where(fallen, 0.2, shaken), 1, load)
+		# the last time that all of the load was borne may be half a cycle of 31 samples, of 0.001 each, before
+		self.assertTrue(0 <= np.flatnonzero(fallen)[0] - curve.balanced <= 32)
+		self.assertTrue(0.3 - 0.032 <= curve.multiplier <= 0.3)
+		self.assertFalse(capacity.capacityCurve(load, shaken, 1, load).collapsed)
+		self.assertTrue(capacity.capacityCurve(load, shaken, 1, load, patience=20).collapsed)  # less than the half cycle
+
 	def test_normal_force_may_change(self):
 		angle = np.linspace(0, 0.5, 51)
 		curve = capacity.capacityCurve(angle, 30 * np.sin(angle), 30 * np.cos(angle), np.tan(angle))
@@ -88,7 +99,8 @@ class CapacityTest(FileCase):
 		for arguments, words in (
 		        (([0, 1], [0], 1), ("baseShear",)), (([0, 1], [0, float("nan")], 1), ("baseShear",)), (([0, 1], [0, 1], 0), ("normal is 0",)),
 		        (([0, 1], [0, 1], [1, 0]), ("normal falls to 0",)), (([0, 1], [0, 1], 1, [0, 1, 2]), ("applied",)), (("ab", [0, 1], 1), ("displacement",)),
-		        (([0, 1], [5, 1], 1, [0, 1]), ("baseShear is 5", "begin at rest")),
+		        (([0, 1], [0, 1], 1, [5, 3]), ("baseShear is 0", "begin at rest")),
+		        (([0, 1], [0, 1], 1, None, 0.1, 0), ("patience is 0",)),
 		):
 			self.refused(lambda: capacity.capacityCurve(*arguments), *words)
 
