@@ -146,7 +146,8 @@ def capacityPlot(path, curves, references=None, shown=None, title=None, width=7.
 	ax.tick_params(labelsize=_fontSize - 1)
 	for side in ("top", "right"):
 		ax.spines[side].set_visible(False)
-	ax.legend(frameon=False, fontsize=_fontSize - 1, loc="lower right")
+	ax.legend(frameon=False, fontsize=_fontSize - 1, loc="lower right", title="collapse multiplier", title_fontsize=_fontSize - 1,
+	          alignment="left")
 	if title:
 		ax.set_title(title, fontsize=_fontSize + 1)
 	figure.savefig(path)

@@ -37,6 +37,7 @@ def motionPlot(path, motion, periods=usualPeriods, damping=0.05, target=None, be
 	axes = [figure.add_subplot(grid[0, 0])]
 	axes += [figure.add_subplot(grid[row, 0], sharex=axes[0]) for row in (1, 2)]
 	_drawHistories(axes, motion, moving, before)
+	figure.align_ylabels(axes)
 	_drawSpectrum(figure.add_subplot(grid[:, 1]), motion, moving, periods, damping, target, before)
 	figure.suptitle(_wrapped(title or motion.name), fontsize=_fontSize + 2)
 	figure.savefig(path)
@@ -82,7 +83,9 @@ def _drawSpectrum(ax, motion, moving, periods, damping, target, before):
 	ax.set_xscale("log")
 	ax.set_xlim(found.periods[found.periods > 0].min(), found.periods.max())
 	ax.set_ylim(bottom=0)
+	ax.set_xticks([tick for tick in (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10) if ax.get_xlim()[0] <= tick <= ax.get_xlim()[1]])
 	ax.xaxis.set_major_formatter("{x:g}")
+	ax.xaxis.set_minor_formatter("")
 	ax.set_xlabel("period [s]", fontsize=_fontSize)
 	ax.set_ylabel(f"pseudo-acceleration, {100 * damping:g} % damping [g]", fontsize=_fontSize)
 	ax.legend(frameon=False, fontsize=_fontSize - 1)

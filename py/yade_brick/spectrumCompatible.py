@@ -36,7 +36,7 @@ def syntheticFromSpectrum(
 	:param damping: of the target, share of critical
 	:param seed: whole number >= 0 that chooses the phases; motions of different seeds are independent
 	:param matched: (shortest, longest) period [s] at which the spectrum is matched, within the target's; None: the target's, cut to what duration
-		and dt allow
+		and dt allow. The peak acceleration is the target's only as far as short periods are matched, down to 0.05 s or so
 	:param strong: (begin, end) [s] of the strong part: the envelope rises with the square of time before, and falls to 5 % at the end after; None: 15 to
 		65 % of the duration. EN 1998-1 wants 10 s where nothing else is known
 	:param tolerance: largest relative difference, 0.02 to 0.5
@@ -114,7 +114,7 @@ def _noise(control, wanted, dt, envelope, seeds):
 	phases = np.random.RandomState(seeds).uniform(0, 2 * math.pi, len(frequencies))
 	amplitudes = np.zeros(len(frequencies))
 	amplitudes[1:] = np.exp(np.interp(np.log(frequencies[1:]), -np.log(control[::-1]), np.log((wanted * control)[::-1])))
-	amplitudes *= np.minimum(1, frequencies * control[-1])**2
+	amplitudes[1:] *= (np.minimum(1, frequencies[1:] * control[-1]) * np.minimum(1, 1 / (frequencies[1:] * control[0])))**2  # outside it fades
 	return np.fft.irfft(amplitudes * np.exp(1j * phases), len(envelope)) * envelope
 
 
