@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Synthetic ground motion whose response spectrum follows a given one: noise of random phases in the envelope of Jennings, whose Fourier
-# amplitudes are corrected by the ratio of the spectra again and again. [idea: Gasparini and Vanmarcke 1976, SIMQKE]
+# amplitudes are corrected by the ratio of the spectra [Gasparini and Vanmarcke 1976], and then by small wavelets at the times of the largest
+# responses [Lilhanand and Tseng 1987], without which single periods stay off.
 """Spectrum-compatible synthetic motion: `syntheticFromSpectrum`."""
 
 import math
