@@ -13,22 +13,22 @@ from .checks import checkPositive, isFinite
 from .motion import Motion
 from .spectrum import checkedPeriods, pseudoAcceleration, responseSpectrum
 
-#: Periods, evenly spread on a logarithmic scale, at which the spectrum is judged; every other one is matched.
-judgedPeriods = 201
+#: Periods, evenly spread on a logarithmic scale, at which the spectrum is looked at while it is corrected (every other one is matched), and in the end.
+judgedPeriods, allPeriods = 201, 801
 
 #: Draws of phases at most; corrections of Fourier amplitudes, then by wavelets at most, and the part of a correction below which a draw is given up.
 _attempts, _spectralRounds, _waveletRounds, _leastStep = 12, 4, 12, 0.2
 
-#: Share of the tolerance that is used at the judged periods, for those between them; how much small weights of wavelets are preferred; what is left of the
-#: envelope at the end.
-_ownShare, _ridge, _envelopeEnd = 0.95, 0.1, 0.05
+#: Share of the tolerance at the judged periods that ends the corrections, so that something is left for those between; how much small weights of wavelets are
+#: preferred; what is left of the envelope at the end.
+_ownShare, _ridge, _envelopeEnd = 0.9, 0.1, 0.05
 
 
 def syntheticFromSpectrum(
         periods, accelerations, duration=20.0, dt=0.01, damping=0.05, seed=1, matched=None, strong=None, tolerance=0.1, ratios=(1.0, 0.0, 0.0), name="target"
 ):
-	"""Synthetic ground motion whose pseudo-acceleration spectrum is within `tolerance` of a target at all matched periods. It ends at rest where it
-	began. The same arguments give the same motion, to round-off.
+	"""Synthetic ground motion whose pseudo-acceleration spectrum is within `tolerance` of a target at all matched periods (801 of them are looked at). It
+	ends at rest where it began. The same arguments give the same motion, to round-off.
 
 	:param periods: of the target [s], rising, > 0
 	:param accelerations: of the target [m/s2], each > 0; in between linear in the logarithms. See designSpectrum.elasticSpectrum
@@ -54,12 +54,10 @@ def syntheticFromSpectrum(
 	_checkRest(damping, seed, tolerance, ratios)
 	times = np.arange(int(round(duration / dt)) + 1) * dt
 	envelope = _jenningsEnvelope(times, begin, end)
-	judged = np.geomspace(shortest, longest, judgedPeriods)
-	wanted = _interpolated(judged, *target)
 	acceleration = np.zeros((len(times), 3))
 	for axis in range(3):
 		if ratios[axis] > 0:
-			acceleration[:, axis] = ratios[axis] * _matched(judged, wanted, dt, envelope, damping, seed + axis, tolerance)
+			acceleration[:, axis] = ratios[axis] * _matched(target, (shortest, longest), dt, envelope, damping, seed + axis, tolerance)
 	text = f"synthetic motion of spectrum {name} ({shortest:g} to {longest:g} s, {100 * damping:g} %, seed {seed})"
 	return Motion(dt, acceleration, text, synthetic=True)
 
@@ -70,19 +68,23 @@ def mismatch(motion, periods, accelerations, damping=0.05, axis="x"):
 	return float(np.abs(found / np.asarray(accelerations) - 1).max())
 
 
-def _matched(judged, wanted, dt, envelope, damping, seed, tolerance):
-	"""A component that meets the target at the judged periods, or ValueError. Phases that cannot be brought to it are drawn again."""
+def _matched(target, ends, dt, envelope, damping, seed, tolerance):
+	"""A component that meets the target, or ValueError. Phases that cannot be brought to it are drawn again."""
+	judged, all_ = (np.geomspace(*ends, count) for count in (judgedPeriods, allPeriods))
+	wanted, allWanted = (_interpolated(periods, *target) for periods in (judged, all_))
 	least = math.inf
 	for attempt in range(_attempts):
 		acceleration, error = _attempted(judged, wanted, dt, envelope, damping, [seed, attempt], tolerance)
-		if error < _ownShare * tolerance:
+		if error < tolerance:
+			error = np.abs(_found(acceleration, dt, all_, damping) / allWanted - 1).max()
+		if error < tolerance:
 			return acceleration
 		least = min(least, error)
 	raise ValueError(f"tolerance is {tolerance}: {_attempts} draws came within {least:.3g} of the target; allowed is what a motion can meet: a longer one, fewer periods")
 
 
 def _attempted(judged, wanted, dt, envelope, damping, seeds, tolerance):
-	"""Noise whose spectrum is brought to the target as far as it goes, and the largest relative difference."""
+	"""Noise whose spectrum is brought to the target as far as it goes, and the largest relative difference at the judged periods."""
 	inside = np.minimum(1, envelope / _envelopeEnd)  # 0 at both ends: what is added begins and ends with the motion
 	acceleration = withoutDrift(_noise(judged, wanted, dt, envelope, seeds), envelope, dt)
 	acceleration = acceleration * np.exp(np.log(wanted / _found(acceleration, dt, judged, damping)).mean())

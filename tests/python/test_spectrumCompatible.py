@@ -26,7 +26,7 @@ class SpectrumCompatibleTest(FileCase):
 	def test_spectrum_is_within_ten_percent_at_all_periods_also_between_those_that_are_matched(self):
 		between = np.geomspace(0.1, 3.0, 333)
 		exact = np.exp(np.interp(np.log(between), np.log(periods), np.log(target)))
-		# 9.5 % is what it may be at 201 periods; the rest is for those between them.
+		# 801 periods were looked at; 333 others lie no farther off than these, by 0.4 % of a period
 		self.assertLess(made.mismatch(self.motion, between, exact), 0.1)
 		self.assertLess(made.mismatch(self.motion, between, 0.5 * exact, axis="z"), 0.1)
 
