@@ -12,7 +12,7 @@
          ========================== ---> x, direction of the ground motion
 
 Leaves in DIR: histories.csv (A and B, failed segments), histories.png, wall.png (the wall at chosen times), wall.npz (all of it as arrays),
-result.json. The default motion is synthetic, made by yade_brick.motion.syntheticNearFault: it is no record of any earthquake.
+result.json. The default motion is synthetic, made by yade_brick.syntheticNearFault: it is no record of any earthquake.
 
 Materials, engines, settling and recording are in paperWall.py beside this file, in the order in which they happen.
 """

@@ -25,7 +25,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from yade_brick import motion as motions
+import yade_brick
 from yade_brick import picture, report
 
 examples = os.path.dirname(os.path.abspath(sys.argv[0]))
@@ -137,7 +137,7 @@ def sensitivityRuns(out):
 	runs += [Run(name, bond, "rigid", arguments=given) for name, given in rigidVariations.items() for bond in bonds]
 	for name, changed in otherMotions.items():
 		path = os.path.join(out, f"{name}.txt")
-		motions.writeColumns(motions.syntheticNearFault(**changed), path)
+		yade_brick.writeColumns(yade_brick.syntheticNearFault(**changed), path)
 		runs += [Run(name, bond, model, arguments=("--motion", path)) for bond in bonds for model in models]
 	return runs
 

@@ -39,7 +39,7 @@ import time
 import numpy as np
 
 import yade_brick
-from yade_brick import build, motion, progress
+from yade_brick import build, progress
 from yade_brick.bill import limitText, stepLimit
 
 script = os.path.abspath(sys.argv[0])
@@ -150,7 +150,7 @@ def seismicCase(row):
 	yade_brick.StaticEquilibrium()()
 	O.step()
 	loop = yade_brick.Loop(O.engines)
-	loop.insert(loop.index(loop.newton), build.groundMotion(motion.syntheticNearFault().scaled(row.scale), startTime=O.time))
+	loop.insert(loop.index(loop.newton), build.groundMotion(yade_brick.syntheticNearFault().scaled(row.scale), startTime=O.time))
 	O.engines, law = loop, loop.law
 	followed, start = masonry.courses[-1][0], O.time
 	home, heights = followed.state.pos[0], [body.state.pos[2] for body in masonry.bodies]

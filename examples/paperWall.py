@@ -17,7 +17,6 @@ from yade import O
 from yade.utils import coordsAndDisplacements, momentum
 from yade.utils import wall as supportingWall
 from yade_brick import build, picture, progress, report, rest, snapshot
-from yade_brick import motion as motions
 
 gravity = 9.8  # [m/s2]
 side = 0.2  # of a brick [m]
@@ -74,13 +73,13 @@ def options(description, out, given=None):
 def groundMotion(chosen):
 	"""The motion that was chosen, in its direction and strength."""
 	if chosen.motion is None:
-		motion = motions.syntheticNearFault()
+		motion = yade_brick.syntheticNearFault()
 	else:
-		motion = motions.readAt2(chosen.motion) if chosen.motion.lower().endswith(".at2") else motions.readColumns(chosen.motion, units="m/s2")
+		motion = yade_brick.readAt2(chosen.motion) if chosen.motion.lower().endswith(".at2") else yade_brick.readColumns(chosen.motion, units="m/s2")
 	if chosen.direction == "y":
 		# a quarter turn about the vertical: what was along x is along y
 		turned = motion.acceleration @ np.array([(0, 1, 0), (-1, 0, 0), (0, 0, 1)])
-		motion = motions.Motion(motion.dt, turned, f"{motion.name}, out of plane", motion.synthetic)
+		motion = yade_brick.Motion(motion.dt, turned, f"{motion.name}, out of plane", motion.synthetic)
 	return motion if chosen.scale == 1 else motion.scaled(chosen.scale)
 
 

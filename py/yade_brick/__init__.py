@@ -37,15 +37,17 @@ _classes = _load()
 globals().update(_classes)
 
 from . import (
-        (, assembly, bill, blocks, bonds, build, checkpoint, files, fragility, houses, ida, loop, motion, openings, picture, piers, progress, report, rest,
-        snapshot, study, walls
+        (, assembly, bill, build, capacity, designSpectrum, intensity, loop, motion, motionFiles, motionPicture, picture, progress, pulses, quasiStatic,
+        report, rest, snapshot, spectrum, spectrumCompatible, synthetic
 )
 from .animation import Film
 from .arches import Arch, Piers, arch, barrelVault, ellipticalLine, pointedLine, segmentalLine, semicircularLine
 from .assembly import assembled
 from .bill import Bill
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
+from .capacity import capacityCurve, capacityPlot
 from .checkpoint import runWithCheckpoints
+from .designSpectrum import elasticSpectrum
 from .fragility import fitFragility, fragilityPlot
 from .histories import Histories, wallHistories
 from .houses import Floor, house
@@ -54,17 +56,27 @@ from .joints import JointList, layMortar, listJoints
 from .loop import Loop, effects, engines
 from .masonryCheck import MasonryCheck, checkMasonry
 from .mesh import MeshBricks, readBricks, writeBricks
-from .motion import Motion, readAt2, readColumns, syntheticNearFault
+from .motion import Motion, combineComponents, readAt2, readColumns, syntheticNearFault
+from .motionFiles import readAt2, readAt2Components, readColumns, writeColumns
+from .motionPicture import motionPlot
 from .openings import Opening
 from .paraview import VtkRecorder
 from .picture import historyPlot, pictureSeries, wallPicture
 from .piers import column, pier
 from .progress import runWithProgress
+from .pulses import syntheticHalfSine, syntheticHarmonic, syntheticPulse, syntheticRicker, syntheticSweep
+from .quasiStatic import loadAt, pushover, tiltAt, tiltingTable
 from .rest import isAtRest, restState
 from .segments import SegmentRecord
 from .snapshot import JointRecord, patches
+from .spectrum import responseSpectrum
+from .spectrumCompatible import syntheticFromSpectrum
 from .study import runStudy, writeTable
+from .synthetic import syntheticNearFault
 from .walls import bondedWall, wallsAlong
+        (, assembly, bill, blocks, bonds, build, checkpoint, files, fragility, houses, ida, loop, motion, openings, picture, piers, progress, report, rest,
+        snapshot, study, walls
+)
         animation, arches, assembly, bill, build, faces, histories, joints, loop, masonryCheck, mesh, motion, paraview, picture, progress, report, rest,
         segments, snapshot, solids
 )

@@ -5,6 +5,7 @@
 
 import functools
 import math
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -242,9 +243,25 @@ def checkWallOptions(brickOptions):
 def groundMotion(motion, startTime=0.0, **options):
 	"""The engine that applies a motion (see yade_brick.motion) to the scene, to be put before NewtonIntegrator.
 
+	After the last sample the acceleration is zero. Bodies that are moved (`ids`) then go on at the velocity that the motion ended with: where that is more than
+	1 % of its largest a UserWarning says so.
+
 	:param motion: Motion
 	:param startTime: simulated time of its first sample [s]
-	:param options: further attributes of GroundMotion
+	:param options: further attributes of GroundMotion, such as ids=[...] for a base that is moved
 	"""
 	from yade import GroundMotion, Vector3
+	if options.get("ids"):
+		_warnOfDrift(motion)
 	return GroundMotion(dt=motion.dt, acceleration=[Vector3(*map(float, row)) for row in motion.acceleration], startTime=startTime, **options)
+
+
+def _warnOfDrift(motion):
+	from .motion import allowedResidual
+	left = motion.residual()
+	if left.share > allowedResidual:
+		speeds = ", ".join(f"{value:.3g}" for value in left.velocity)
+		warnings.warn(
+		        f"{motion.name}: ends with a velocity of ({speeds}) m/s, {100 * left.share:.2g} % of its largest, at which the moved bodies will go on; "
+		        "baselineCorrected(), highPassed() or endingAtRest() give a motion that ends at rest", stacklevel=3
+		)

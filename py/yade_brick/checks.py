@@ -24,3 +24,16 @@ def isNumber(value):
 	[True, True, True, True, False, False, False]
 	"""
 	return isinstance(value, (float, np.floating)) or isinstance(value, numbers.Real) and abs(value) <= sys.float_info.max
+
+
+def checkPositive(value, name, unit):
+	"""Refuses anything but a finite number > 0.
+
+	:raises ValueError: naming the argument, its value and what is allowed
+
+	>>> checkPositive(0, "dt", "s")
+	Traceback (most recent call last):
+	ValueError: dt is 0; allowed is a finite number > 0 s
+	"""
+	if not (isFinite(value) and value > 0):
+		raise ValueError(f"{name} is {value!r}; allowed is a finite number > 0 {unit}")

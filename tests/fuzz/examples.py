@@ -11,7 +11,7 @@ from yade.minieigenHP import Quaternion, Vector3
 import numpy as np
 import yade_brick
 from yade_brick import *
-from yade_brick import build, motion, picture, report
+from yade_brick import build, picture, report
 
 packageFolder = os.path.dirname(os.path.realpath(yade_brick.__file__))
 folder = tempfile.mkdtemp(prefix='fuzz')

@@ -1,48 +1,29 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Ground motions: file formats with what goes wrong in them, integration, and the promises of the synthetic motion.
-"""Tests of yade_brick.motion; no YADE needed."""
+# Ground motions: integration, operations with closed forms, and what is refused.
+"""Tests of yade_brick.motion and baseline; no YADE needed."""
 
 import doctest
-import os
-import subprocess
-import sys
-import tempfile
+import math
 import unittest
 
 import numpy as np
 
 import standalone
+from motionCase import FileCase
 
-motion = standalone.load("motion")
-g = motion.standardGravity
-
-at2Header = "PEER STRONG MOTION DATABASE RECORD\nSOMEWHERE 01/01/2000 12:00, STATION A, 090\nACCELERATION TIME HISTORY IN UNITS OF G\n"
-
-
-class FileCase(unittest.TestCase):
-
-	def setUp(self):
-		self.folder = tempfile.TemporaryDirectory()
-		self.addCleanup(self.folder.cleanup)
-
-	def file(self, text, name="motion.txt"):
-		path = os.path.join(self.folder.name, name)
-		with open(path, "w") as file:
-			file.write(text)
-		return path
-
-	def refused(self, call, *words):
-		"""`call` raises a ValueError whose message has all the words."""
-		with self.assertRaises(ValueError) as caught:
-			call()
-		for word in words:
-			self.assertIn(word, str(caught.exception))
+motion, synthetic = standalone.load("motion"), standalone.load("synthetic")
 
 
 class MotionTest(FileCase):
 
 	def test_docstring_example_holds(self):
 		self.assertEqual(doctest.testmod(motion).failed, 0)
+
+	def test_readers_and_the_near_fault_motion_are_found_here_as_well(self):
+		self.assertIs(motion.syntheticNearFault, synthetic.syntheticNearFault)
+		self.assertIs(motion.readAt2, standalone.load("motionFiles").readAt2)
+		with self.assertRaises(AttributeError):
+			motion.readAt3
 
 	def test_constant_acceleration_integrates_to_closed_form(self):
 		constant = motion.Motion(0.01, np.tile([2.0, 0, -1], (101, 1)), "constant")
@@ -68,8 +49,17 @@ class MotionTest(FileCase):
 	def test_resampling_ends_at_the_last_multiple_within_the_duration(self):
 		self.assertEqual(len(motion.Motion(0.1, np.zeros((4, 3)), "m").resampled(0.07)), 5)
 
-	def test_coarser_resampling_is_refused(self):
-		self.refused(lambda: motion.Motion(0.1, np.zeros((4, 3)), "m").resampled(0.2), "0.2", "0.1")
+	def test_displacement_is_exact_between_linear_samples(self):
+		# by hand: z'' = 6 t on the first second, then 6: z = t^3, then 1 + 3 (t - 1) + 3 (t - 1)^2
+		moved = motion.Motion(1.0, np.outer([0, 6, 6], [1, 0, 0]), "m").displacement()[:, 0]
+		np.testing.assert_allclose(moved, [0, 1, 7], atol=1e-14)
+
+	def test_residual_is_what_is_left_at_the_end(self):
+		left = motion.Motion(1.0, np.outer([0, 6, 6], [0, 1, 0]), "m").residual()
+		np.testing.assert_allclose(left.velocity, [0, 9, 0], atol=1e-14)
+		np.testing.assert_allclose(left.displacement, [0, 7, 0], atol=1e-14)
+		self.assertEqual(left.share, 1)
+		self.assertEqual(motion.Motion(1.0, np.zeros((3, 3)), "m").residual().share, 0)
 
 	def test_bad_motions_are_refused_with_the_value(self):
 		self.refused(lambda: motion.Motion(0, np.zeros((4, 3)), "m"), "dt is 0")
@@ -83,125 +73,186 @@ class MotionTest(FileCase):
 		self.refused(lambda: motion.Motion(0.1, np.zeros((4, 3)), "m").scaled(float("nan")), "nan")
 
 
-class At2Test(FileCase):
-
-	def test_values_are_g_along_the_axis(self):
-		record = motion.readAt2(self.file(at2Header + "NPTS=  6, DT= .00500 SEC\n .1 -.2 .3 .4 .5\n -.6\n"), axis="z")
-		self.assertEqual(record.dt, 0.005)
-		np.testing.assert_allclose(record.acceleration[:, 2], np.array([0.1, -0.2, 0.3, 0.4, 0.5, -0.6]) * g, rtol=1e-15)
-		self.assertEqual(record.peak()[0], 0)
-		self.assertFalse(record.synthetic)
-		self.assertIn("STATION A", record.name)
-
-	def test_nga_header_with_trailing_comma_is_read(self):
-		header = at2Header.replace("HISTORY", "SERIES")
-		for line in ("NPTS=   2, DT=   .0050 SEC,", "NPTS=2,DT=.0050SEC", "npts = 2 , dt = 5.0E-03 sec"):
-			self.assertEqual(motion.readAt2(self.file(f"{header}{line}\n.1 .2\n")).dt, 0.005)
-
-	def test_values_that_touch_are_separated(self):
-		record = motion.readAt2(self.file(at2Header + "NPTS= 5, DT= .01 SEC\n  .1200000E-02-.3600000E-01-3.6E-03 .5D-01-.25\n"))
-		np.testing.assert_allclose(record.acceleration[:, 0] / g, [0.0012, -0.036, -0.0036, 0.05, -0.25], rtol=1e-14)
-
-	def test_wrong_count_names_both_counts(self):
-		self.refused(lambda: motion.readAt2(self.file(at2Header + "NPTS= 3, DT= .01 SEC\n.1 .2\n")), "motion.txt, line 5", "2 values", "NPTS = 3")
-		self.refused(lambda: motion.readAt2(self.file(at2Header + "NPTS= 2, DT= .01 SEC\n.1 .2 .3\n")), "3 values", "NPTS = 2")
-
-	def test_text_and_nan_among_the_values_are_refused_with_the_line(self):
-		for text in ("NaN", "*****", "inf", "1.2.E"):
-			path = self.file(f"{at2Header}NPTS= 4, DT= .01 SEC\n.1 .2\n.3 {text}\n")
-			self.refused(lambda: motion.readAt2(path), "line 6", "allowed are finite numbers")
-
-	def test_header_without_npts_or_dt_is_refused(self):
-		self.refused(lambda: motion.readAt2(self.file(at2Header + "1192 .02\n.1 .2\n")), "line 4", "1192 .02", "NPTS=")
-		self.refused(lambda: motion.readAt2(self.file(at2Header + "NPTS= 2, DT= 0.0 SEC\n.1 .2\n")), "line 4", "DT is '0.0'")
-		self.refused(lambda: motion.readAt2(self.file(at2Header + "NPTS= x, DT= 0.1 SEC\n.1 .2\n")), "line 4", "NPTS is 'x'")
-
-	def test_velocity_file_of_the_same_layout_is_refused(self):
-		header = at2Header.replace("ACCELERATION", "VELOCITY").replace("OF G", "OF CM/S")
-		self.refused(lambda: motion.readAt2(self.file(header + "NPTS= 2, DT= .01 SEC\n.1 .2\n")), "velocity", "acceleration")
-
-	def test_other_unit_is_refused(self):
-		header = at2Header.replace("OF G", "OF CM/S2")
-		self.refused(lambda: motion.readAt2(self.file(header + "NPTS= 2, DT= .01 SEC\n.1 .2\n")), "'CM/S2'", "readColumns")
-
-	def test_empty_and_headless_files_are_refused(self):
-		self.refused(lambda: motion.readAt2(self.file("\n \n")), "motion.txt", "empty")
-		self.refused(lambda: motion.readAt2(self.file("a\nb\n")), "2 lines", "4 header lines")
-
-	def test_missing_file_says_so(self):
-		with self.assertRaises(FileNotFoundError):
-			motion.readAt2(os.path.join(self.folder.name, "absent.AT2"))
-
-	def test_unknown_axis_is_refused(self):
-		self.refused(lambda: motion.readAt2("any", axis="w"), "'w'", "'x'")
-
-	def test_three_files_become_one_motion(self):
-		paths = [self.file(f"{at2Header}NPTS= {2 + i}, DT= .01 SEC\n" + ".1 " * (2 + i), f"{i}.AT2") for i in range(3)]
-		self.refused(lambda: motion.readAt2Components(x=paths[0], z=paths[1]), "2 samples", "3", "pad=True")
-		record = motion.readAt2Components(*paths, name="all three", pad=True)
-		np.testing.assert_allclose(record.acceleration / g, [[0.1] * 3] * 2 + [[0, 0.1, 0.1], [0, 0, 0.1]], rtol=1e-15)
+def sines(frequencies, dt=0.01, seconds=20.0, axis=0):
+	"""A sum of sines that is faded in and out, along one axis."""
+	times = np.arange(round(seconds / dt) + 1) * dt
+	values = sum(np.sin(2 * math.pi * f * times) for f in frequencies) * np.sin(math.pi * times / seconds)**2
+	return motion.Motion(dt, np.outer(values, np.eye(3)[axis]), "sines")
 
 
-class ColumnsTest(FileCase):
+class ResamplingTest(FileCase):
 
-	def test_units_are_converted(self):
-		for units, factor in (("m/s2", 1), ("g", g), ("cm/s2", 0.01)):
-			record = motion.readColumns(self.file("0 1 2\n0.1 3 4\n"), units)
-			np.testing.assert_allclose(record.acceleration, np.array([[1, 2, 0], [3, 4, 0]]) * factor, rtol=1e-15)
+	def test_coarser_keeps_what_the_new_interval_can_show(self):
+		coarse, slow = sines([1, 3]).resampled(0.04), sines([1, 3])
+		# The filter passes within 0.1 %; the two sines together reach 2.
+		np.testing.assert_allclose(coarse.acceleration, slow.acceleration[::4], atol=2e-3 * 2)
+		self.assertIn("anti-alias", coarse.name)
 
-	def test_unknown_unit_is_refused(self):
-		self.refused(lambda: motion.readColumns("any", "gal"), "'gal'", "'cm/s2'")
+	def test_coarser_takes_out_what_would_come_back_as_a_false_frequency(self):
+		# 20 Hz at 0.04 s would look like 5 Hz.
+		self.assertLess(sines([20]).resampled(0.04).peak()[0], 1e-3)
+		self.assertGreater(np.abs(sines([20.5]).acceleration[::4, 0]).max(), 0.9)
 
-	def test_separators_comments_and_headings_are_understood(self):
-		for text in ("% note\ntime,ax\n0,1\n0.5,2\n", "Time [s]\tax [m/s2]\n\n0\t1\n.5\t2\n", "t;a\n0 ; 1\n0.5 ; 2\n", "# c\n0, 1\n5e-1, 2 \n"):
-			record = motion.readColumns(self.file(text), "m/s2")
-			self.assertEqual(record.dt, 0.5)
-			np.testing.assert_array_equal(record.acceleration, [[1, 0, 0], [2, 0, 0]])
+	def test_interval_may_be_in_any_ratio(self):
+		for dt in (0.016, 0.01 * math.sqrt(5)):
+			coarse, times = sines([2]).resampled(dt), np.arange(int(20 / dt) + 1) * dt
+			exact = np.sin(4 * math.pi * times) * np.sin(math.pi * times / 20)**2
+			np.testing.assert_allclose(coarse.acceleration[:, 0], exact, atol=2e-3)  # the filter's 0.1 %
+		self.refused(lambda: sines([2]).resampled(1e-9, bandLimited=True), "1e-09", "thousandth")
 
-	def test_columns_go_to_the_axes_asked_for(self):
-		record = motion.readColumns(self.file("1 2\n3 4\n"), "m/s2", dt=0.01, axes="zx")
-		np.testing.assert_array_equal(record.acceleration, [[2, 0, 1], [4, 0, 3]])
-		self.refused(lambda: motion.readColumns(self.file("1 2\n3 4\n"), "m/s2", dt=0.01, axes="x"), "line 1", "2 acceleration columns")
-		self.refused(lambda: motion.readColumns(self.file("1 2\n3 4\n"), "m/s2", dt=0.01, axes="xx"), "'xx'")
+	def test_band_limited_is_closer_to_a_smooth_motion_than_linear(self):
+		fine, coarse = sines([5], dt=0.005), sines([5], dt=0.02)
+		linear, smooth = coarse.resampled(0.005), coarse.resampled(0.005, bandLimited=True)
+		# linear: (2 pi 5 Hz 0.02 s)^2 / 8 = 0.049 of the amplitude in the middle between samples
+		self.assertAlmostEqual(np.abs(linear.acceleration - fine.acceleration).max(), 0.049, delta=0.003)
+		self.assertLess(np.abs(smooth.acceleration - fine.acceleration).max(), 2e-3)
+		self.assertIn("linear", linear.name)
+		self.assertIn("band-limited", smooth.name)
 
-	def test_one_column_without_dt_is_refused(self):
-		self.refused(lambda: motion.readColumns(self.file("1\n2\n"), "m/s2"), "0 acceleration columns")
+	def test_fewer_than_two_samples_are_refused(self):
+		self.refused(lambda: sines([1], seconds=1.0).resampled(1.5), "1.5", "duration")
 
-	def test_nan_text_and_decimal_comma_are_refused_with_the_line(self):
-		self.refused(lambda: motion.readColumns(self.file("0 1\n0.1 nan\n"), "g"), "line 2", "'nan'")
-		self.refused(lambda: motion.readColumns(self.file("0 1\n0.1 inf\n"), "g"), "line 2", "'inf'")
-		self.refused(lambda: motion.readColumns(self.file("0 1\n0.1 two\n"), "g"), "line 2", "'two'")
-		self.refused(lambda: motion.readColumns(self.file("0;1\n0,1;2\n"), "g"), "line 2", "'0,1'")
-		self.refused(lambda: motion.readColumns(self.file("0,1,1\n0.1,,1\n"), "g"), "line 2", "''")
 
-	def test_row_of_another_length_is_refused_with_the_line(self):
-		self.refused(lambda: motion.readColumns(self.file("0 1\n\n0.1 1\n0.2\n"), "g"), "line 4", "1 columns", "2 of line 1")
+class CuttingTest(FileCase):
 
-	def test_missing_sample_is_refused_where_it_is(self):
-		times = [i * 0.01 for i in range(200) if i != 120]
-		self.refused(lambda: motion.readColumns(self.file("".join(f"{t:.3f} 1\n" for t in times)), "g"), "line 121", "1.21 s", "equal steps")
+	def test_between_keeps_the_samples_in_it_and_starts_at_zero(self):
+		cut = motion.Motion(0.1, np.outer(np.arange(11), [1, 0, 0]), "m").between(0.3, 0.65)
+		np.testing.assert_array_equal(cut.acceleration[:, 0], [3, 4, 5, 6])
+		self.assertIn("0.3 to 0.65 s", cut.name)
+		self.refused(lambda: cut.between(0.2, 0.1), "0.2", "0.1")
+		self.refused(lambda: cut.between(0, 5), "5", "0.3")
 
-	def test_falling_times_are_refused(self):
-		self.refused(lambda: motion.readColumns(self.file("0 1\n.1 1\n.1 1\n"), "g"), "line 3", "rising")
+	def test_padding_adds_zeros_to_the_next_interval(self):
+		padded = motion.Motion(0.1, np.ones((2, 3)), "m").padded(before=0.25, after=0.1)
+		np.testing.assert_array_equal(padded.acceleration[:, 1], [0, 0, 0, 1, 1, 0])
+		self.refused(lambda: padded.padded(before=-1), "before is -1")
 
-	def test_rounded_times_are_accepted(self):
-		text = "".join(f"{i / 128:.3f} 1\n" for i in range(128))
-		# 0.992 s over 127 steps: the last time is rounded too, by at most 0.0005 s.
-		self.assertAlmostEqual(motion.readColumns(self.file(text), "g").dt, 1 / 128, delta=0.0005 / 127)
+	def test_taper_is_half_a_cosine_at_each_end(self):
+		tapered = motion.Motion(0.25, np.ones((9, 3)), "m").tapered(1.0, 0.5)
+		quarter = 0.5 - 0.5 * math.sqrt(0.5)
+		np.testing.assert_allclose(tapered.acceleration[:, 2], [0, quarter, 0.5, 1 - quarter, 1, 1, 1, 0.5, 0], atol=1e-15)
+		self.refused(lambda: tapered.tapered(1.5), "1.5", "duration")
 
-	def test_too_few_rows_are_refused(self):
-		self.refused(lambda: motion.readColumns(self.file("# only\n0 1\n"), "g"), "1 rows")
-		self.refused(lambda: motion.readColumns(self.file(""), "g"), "empty")
+	def test_taper_of_equal_ends_is_scipys_tukey_window(self):
+		from scipy.signal.windows import tukey
+		tapered = motion.Motion(0.01, np.ones((201, 3)), "m").tapered(0.4)
+		np.testing.assert_allclose(tapered.acceleration[:, 0], tukey(201, 0.4), atol=1e-14)
 
-	def test_written_motion_reads_back_with_its_label(self):
-		made = motion.syntheticNearFault()
-		path = os.path.join(self.folder.name, "out.txt")
-		motion.writeColumns(made, path)
-		back = motion.readColumns(path, "m/s2")
-		self.assertTrue(back.synthetic)
-		self.assertEqual(back.name, made.name)
-		self.assertAlmostEqual(back.dt, made.dt, places=12)
-		np.testing.assert_allclose(back.acceleration, made.acceleration, rtol=1e-11, atol=1e-300)  # 12 digits are written
+
+class BaselineTest(FileCase):
+
+	def drifting(self, error):
+		"""A motion that ends at rest where it began, and the same with an error."""
+		times = np.arange(2001) * 0.01
+		clean = synthetic.syntheticNearFault(duration=20, phaseTimes=(4, 8)).acceleration
+		return clean, motion.Motion(0.01, clean + np.outer(error(times), [1, 0.5, 0]), "drifts")
+
+	def test_constant_error_is_taken_out_exactly(self):
+		# Velocity left by the error is linear in time, which the fit of degree 0 removes by its end alone.
+		clean, drifts = self.drifting(lambda times: 0.05 + 0 * times)
+		self.assertGreater(drifts.residual().velocity[0], 0.9)
+		np.testing.assert_allclose(drifts.baselineCorrected(0).acceleration, clean, atol=1e-12)
+
+	def test_last_velocity_is_zero_whatever_the_degree(self):
+		_, drifts = self.drifting(lambda times: 0.02 + 0.001 * times**2)
+		for degree in range(6):
+			left = drifts.baselineCorrected(degree).residual()
+			np.testing.assert_allclose(left.velocity, 0, atol=1e-12)  # round-off of 2000 sums
+			self.assertLess(left.share, 1e-10)
+
+	def test_last_displacement_is_zero_where_asked(self):
+		_, drifts = self.drifting(lambda times: 0.02 + 0.001 * times)
+		corrected = drifts.baselineCorrected(2, endDisplacement=True)
+		np.testing.assert_allclose(corrected.residual().displacement, 0, atol=1e-11)
+		np.testing.assert_allclose(corrected.residual().velocity, 0, atol=1e-12)
+		self.assertIn("degree 2", corrected.name)
+
+	def test_correction_is_the_best_fit_among_those_that_end_at_rest(self):
+		_, drifts = self.drifting(lambda times: 0.03 * np.cos(0.2 * times))
+		best = drifts.baselineCorrected(2)
+		# Any other polynomial of that degree without a share in the last velocity leaves a larger sum of squares of the velocity.
+		place = np.linspace(-1, 1, len(drifts))
+		other = np.column_stack([place**2 - motion.baseline.runningIntegral(place[:, None]**2, 1)[-1] / (len(place) - 1)] * 3)
+		least = (best.velocity()[:, 0]**2).sum()
+		for size in (1e-3, -1e-3):
+			tried = motion.Motion(0.01, best.acceleration + size * other, "other")
+			self.assertLess(np.abs(tried.residual().velocity).max(), 1e-9)
+			self.assertGreater((tried.velocity()[:, 0]**2).sum(), least)
+
+	def test_wrong_degrees_are_refused(self):
+		self.refused(lambda: sines([1]).baselineCorrected(-1), "degree is -1")
+		self.refused(lambda: sines([1]).baselineCorrected(0, endDisplacement=True), "degree is 0", "1")
+		self.refused(lambda: motion.Motion(1, np.zeros((3, 3)), "m").baselineCorrected(1), "3 samples")
+
+	def test_high_pass_has_the_gain_of_butterworth_both_ways_and_no_phase(self):
+		for frequency in (0.25, 0.5, 2.0):
+			wave = sines([frequency], dt=0.02, seconds=120.0)
+			passed = wave.highPassed(0.5, order=2)
+			padding = (len(passed) - len(wave)) // 2
+			middle = slice(padding + 2000, padding + 4000)
+			ratio = passed.acceleration[middle, 0] @ wave.acceleration[2000:4000, 0] / (wave.acceleration[2000:4000, 0] @ wave.acceleration[2000:4000, 0])
+			# The fading of the wave is slow; the filter's frequencies are warped by (pi f dt)^2 / 3, 0.1 % at 2 Hz.
+			self.assertAlmostEqual(ratio, 1 / (1 + (0.5 / frequency)**4), delta=5e-3)
+
+	def test_high_pass_leaves_no_drift(self):
+		_, drifts = self.drifting(lambda times: 0.02 + 0.002 * times)
+		corrected = drifts.highPassed(0.1)
+		self.assertEqual(len(corrected), len(drifts) + 2 * 3000)
+		# In 30 s, 3 / corner, what the filter still has in it has faded to 1e-6 of the displacement.
+		self.assertLess(corrected.residual().share, 1e-5)
+		self.assertLess(np.abs(corrected.residual().displacement).max(), 1e-4 * np.abs(corrected.displacement()).max())
+
+	def test_wrong_corners_are_refused(self):
+		self.refused(lambda: sines([1]).highPassed(0), "frequency is 0")
+		self.refused(lambda: sines([1]).highPassed(50), "frequency is 50", "Nyquist")
+		self.refused(lambda: sines([1]).highPassed(0.1, order=9), "order is 9")
+
+	def test_ending_at_rest_leaves_the_record_and_brakes_smoothly(self):
+		kicked = motion.Motion(0.01, np.outer(np.ones(101), [2.0, 0, -1]), "kicked")
+		stopped = kicked.endingAtRest(0.5)
+		np.testing.assert_array_equal(stopped.acceleration[:101], kicked.acceleration)
+		np.testing.assert_allclose(stopped.residual().velocity, 0, atol=1e-13)
+		self.assertLess(stopped.residual().share, 1e-12)
+		# 2 m/s, and 0.01 m/s of the interval in which the acceleration falls to zero, over half a second by 1 - cos
+		self.assertAlmostEqual(stopped.acceleration[:, 0].min(), -2 * 2.01 / 0.5, places=12)
+		self.refused(lambda: kicked.endingAtRest(0.02), "0.02", "4 dt")
+
+
+class StrengthTest(FileCase):
+
+	def setUp(self):
+		super().setUp()
+		self.shake = motion.Motion(0.1, [[0, 0, 0], [3, 4, 0], [-5, 0, 1], [0, 0, 0]], "m")
+
+	def test_peak_of_each_measure(self):
+		expected = dict(x=5, y=4, z=1, largest=5, vector=math.sqrt(26), geometricMean=math.sqrt(20))
+		for of, value in expected.items():
+			self.assertAlmostEqual(self.shake.peakOf(of), value, places=14)
+			self.assertAlmostEqual(self.shake.scaledToPeak(2.5, of).peakOf(of), 2.5, places=14)
+			self.assertIn(of, self.shake.scaledToPeak(2.5, of).name)
+
+	def test_scaling_without_what_is_scaled_or_by_an_unknown_measure_is_refused(self):
+		flat = motion.Motion(0.1, [[0, 0, 0], [1, 0, 0]], "flat")
+		self.refused(lambda: flat.scaledToPeak(1, "y"), "flat", "0 m/s2")
+		self.refused(lambda: flat.scaledToPeak(1, "mean"), "'mean'", "'geometricMean'")
+		self.refused(lambda: flat.scaledToPeak(-1), "-1")
+		self.refused(lambda: flat.scaledToSpectralAcceleration(1, 0.5, of="vector"), "'vector'", "'largest'")
+
+	def test_scaling_to_a_spectral_acceleration_reaches_it(self):
+		spectrum = standalone.load("spectrum")
+		scaled = sines([1, 2]).scaledToSpectralAcceleration(3.0, 0.7, damping=0.03)
+		self.assertAlmostEqual(spectrum.responseSpectrum(scaled, [0.7], 0.03).of("x")[0], 3.0, places=12)
+		self.assertIn("Sa(0.7 s, 3 %)", scaled.name)
+
+	def test_turning_by_a_quarter_takes_x_to_y(self):
+		turned = self.shake.rotated(math.pi / 2)
+		np.testing.assert_allclose(turned.acceleration, np.array([[0, 0, 0], [-4, 3, 0], [0, -5, 1], [0, 0, 0]]), atol=1e-14)
+		self.assertIn("90 degrees", turned.name)
+
+	def test_directions(self):
+		np.testing.assert_array_equal(motion.directionVector("-z"), [0, 0, -1])
+		for wrong in ("w", "--x", "xy", "", (0, 0, 0), (1, 2), None, (1, float("nan"), 0)):
+			self.refused(lambda: motion.directionVector(wrong), "direction is")
 
 
 class CombineTest(FileCase):
@@ -214,78 +265,18 @@ class CombineTest(FileCase):
 		a, b = motion.Motion(0.1, np.eye(3)[:2], "a"), motion.Motion(0.2, np.eye(3)[1:], "b")
 		self.refused(lambda: motion.combineComponents([a, b]), "b: dt is 0.2", "0.1")
 
+	def test_different_intervals_are_brought_to_a_common_one_on_request(self):
+		a, b = sines([1], dt=0.01), sines([2], dt=0.02, axis=1)
+		both = motion.combineComponents([a, b], dt=0.02)
+		np.testing.assert_allclose(both.acceleration[:, 0], a.acceleration[::2, 0], atol=1e-3)  # the filter's 0.1 %
+		np.testing.assert_array_equal(both.acceleration[:, 1], b.acceleration[:, 1])
+
 	def test_none_is_refused(self):
 		self.refused(lambda: motion.combineComponents([]), "empty")
 
 	def test_a_synthetic_component_makes_the_whole_synthetic(self):
 		recorded = motion.Motion(0.01, np.outer(np.ones(901), [0, 0, 1]), "recorded")
-		self.assertTrue(motion.combineComponents([motion.syntheticNearFault(), recorded]).synthetic)
-
-
-class SyntheticTest(FileCase):
-
-	def test_pulse_acceleration_is_the_derivative_of_its_velocity(self):
-		# 402 points miss the pulse's two ends, where its acceleration has a kink and a central difference is of first order only.
-		times, step = np.linspace(0, 4, 402), 1e-5
-		ahead, behind = (motion.velocityPulse(times + sign * step, 0.9, 2.0, 2.1)[0] for sign in (1, -1))
-		# Central difference: error step^2 / 6 times the third derivative (about 60 m/s4 here), and round-off 1e-16 / step.
-		np.testing.assert_allclose((ahead - behind) / (2 * step), motion.velocityPulse(times, 0.9, 2.0, 2.1)[1], atol=1e-8)
-
-	def test_name_says_synthetic(self):
-		made = motion.syntheticNearFault()
-		self.assertTrue(made.synthetic)
-		self.assertIn("synthetic", made.name)
-
-	def test_peak_is_the_one_asked_for(self):
-		# 60 bisections leave the factor exact to round-off.
-		self.assertAlmostEqual(motion.syntheticNearFault().peak()[0] / (0.8 * g), 1, places=12)
-		np.testing.assert_allclose(motion.syntheticNearFault(peak=6.0, ratios=(1, 0.5, 0)).peak(), [6, 3, 0], rtol=1e-12)
-
-	def test_number_of_threads_does_not_change_a_bit(self):
-		# numpy's matrix products may run on several threads and then add in another order; a collapse would go another way.
-		script = "import sys; sys.path.insert(0, sys.argv[1]); import standalone; " \
-		         "sys.stdout.buffer.write(standalone.load('motion').syntheticNearFault().acceleration.tobytes())"
-		made = []
-		for threads in "1", "2", "4":
-			limits = {name: threads for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS")}
-			made.append(subprocess.run([sys.executable, "-c", script, os.path.dirname(standalone.__file__)], env={**os.environ, **limits}, capture_output=True, check=True).stdout)
-		self.assertEqual(len(made[0]), 8 * 3 * 901)
-		self.assertTrue(made[0] == made[1] == made[2])
-
-	def test_ground_ends_at_rest_where_it_began(self):
-		made = motion.syntheticNearFault(ratios=(1, 0.3, 0.6))
-		# Round-off of 900 sums of up to 10 m/s2 times dt.
-		np.testing.assert_allclose(made.velocity()[-1], 0, atol=1e-12)
-		np.testing.assert_allclose(made.displacement()[-1], 0, atol=1e-12)
-		np.testing.assert_array_equal(made.acceleration[[0, -1]], np.zeros((2, 3)))
-
-	def test_first_phase_begins_between_2_and_3_s_and_the_second_before_6_s(self):
-		made = motion.syntheticNearFault()
-		times, x = made.times(), made.acceleration[:, 0]
-		arias = np.cumsum(x ** 2) / np.sum(x ** 2)
-		self.assertTrue(2 < times[np.searchsorted(arias, 0.05)] < 3)
-		for begin, end in ((2.5, 4.5), (4.8, 6.0)):
-			self.assertGreater(np.abs(x[(times > begin) & (times < end)]).max(), 0.4 * g)
-		# Two phases, not one long one: between them it is at least twice as calm.
-		self.assertLess(np.abs(x[(times > 4.4) & (times < 4.7)]).max(), 0.2 * g)
-
-	def test_same_motion_every_time_and_at_every_interval(self):
-		coarse, fine = motion.syntheticNearFault(dt=0.01), motion.syntheticNearFault(dt=0.0025)
-		np.testing.assert_array_equal(coarse.acceleration, motion.syntheticNearFault(dt=0.01).acceleration)
-		# The peak falls between samples and the drift is a trapezoidal sum: both see dt, by about (20 Hz dt)^2.
-		self.assertLess(np.abs(coarse.acceleration - fine.acceleration[::4]).max(), 0.02 * 0.8 * g)
-
-	def test_seed_changes_the_noise(self):
-		self.assertGreater(np.abs(motion.syntheticNearFault(seed=1).acceleration - motion.syntheticNearFault(seed=2).acceleration).max(), 1)
-
-	def test_bad_parameters_are_refused_with_the_value(self):
-		for arguments, words in (
-		        (dict(duration=5), ("duration is 5", "7.3")), (dict(dt=0.03), ("0.03", "0.025")), (dict(dt=-1), ("dt is -1",)),
-		        (dict(peak=0), ("peak is 0",)), (dict(pulseVelocity=5), ("pulseVelocity is 5", "peak")), (dict(pulseVelocity=-1), ("-1",)),
-		        (dict(phaseTimes=(4, 3)), ("(4, 3)",)), (dict(ratios=(0, 0, 0)), ("ratios",)), (dict(ratios=(2, 0, 0)), ("ratios",)),
-		        (dict(seed=-1), ("seed is -1",)), (dict(seed=1.5), ("seed is 1.5",))
-		):
-			self.refused(lambda: motion.syntheticNearFault(**arguments), *words)
+		self.assertTrue(motion.combineComponents([synthetic.syntheticNearFault(), recorded]).synthetic)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 import math, unittest
 
 from yade import O, Quaternion, Vector3
-from yade_brick import BrickMat, build, motion
+from yade_brick import BrickMat, build, syntheticNearFault
 
 nan = float('nan')
 # corners of a wedge: a unit cube whose upper edge at x = 1 is drawn in to x = 0.5; its volume and centre follow by hand
@@ -132,7 +132,7 @@ class Walls(BuildCase):
 class Motion(BuildCase):
 
 	def test_engine_has_the_samples_of_the_motion(self):
-		shake = motion.syntheticNearFault()
+		shake = syntheticNearFault()
 		engine = build.groundMotion(shake, startTime=2)
 		self.assertEqual((engine.dt, engine.startTime, len(engine.acceleration)), (shake.dt, 2, len(shake)))
 		# linear between samples
