@@ -12,7 +12,7 @@
 
 Leaves in DIR: house.png (the house during the motion and at its end, coloured by how far each brick has moved relative to the ground, with failed
 segments of mortar), histories.csv and histories.png (floor, top of the door's lintel), result.json. The motion is synthetic, made by
-yade_brick.motion.syntheticNearFault: it is no record of any earthquake.
+yade_brick.syntheticNearFault: it is no record of any earthquake.
 """
 
 import argparse
@@ -23,7 +23,7 @@ import sys
 import numpy as np
 
 import yade_brick
-from yade_brick import Floor, Opening, house, motion, picture, progress, report, snapshot
+from yade_brick import Floor, Opening, house, picture, progress, report, snapshot, syntheticNearFault
 
 gravity, phi = 9.81, math.radians(32)
 lookEvery = 0.0025  # between samples of the histories [s]
@@ -138,7 +138,7 @@ class Recorder:
 
 def main():
 	chosen = options()
-	shake = motion.syntheticNearFault(
+	shake = syntheticNearFault(
 	        duration=3, peak=0.5 * 9.81, pulsePeriod=0.5, pulseVelocity=0.25, phaseTimes=(0.5, 1.8), ratios=(1, 0.6, 0)
 	)
 	if chosen.scale != 1:

@@ -3,7 +3,7 @@
 
     build/yade -n -x examples/14_fragility.py [--quick] [--jobs N] [--out DIR] [--help]
 
-Five intensities times ten synthetic motions, made by yade_brick.motion.syntheticNearFault with ten seeds: a table of 50 rows, whose script is shakenWall.py
+Five intensities times ten synthetic motions, made by yade_brick.syntheticNearFault with ten seeds: a table of 50 rows, whose script is shakenWall.py
 beside this file. Interrupt it (Ctrl-C) and start it again: rows that are finished are not run again. `build/yade-batch DIR/walls.table examples/shakenWall.py`
 would run the same table.
 

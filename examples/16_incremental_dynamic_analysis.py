@@ -8,7 +8,7 @@ then halving until the collapse is known to 5 %. Interrupt it (Ctrl-C) and start
 on.
 
 Leaves in DIR: walls.table, walls.results/, walls.csv, ida.png (curves of all motions with 16, 50 and 84 % fractiles), result.json (collapse
-intensities, their median and dispersion). The motions are synthetic, made by yade_brick.motion.syntheticNearFault. Some minutes; --quick: two motions, a
+intensities, their median and dispersion). The motions are synthetic, made by yade_brick.syntheticNearFault. Some minutes; --quick: two motions, a
 smaller wall, 30 %.
 """
 

@@ -21,7 +21,7 @@ import sys
 import numpy as np
 
 import yade_brick
-from yade_brick import build, checkpoint, motion, picture, report
+from yade_brick import build, checkpoint, picture, report, syntheticNearFault
 
 gravity, side = 9.8, 0.2  # [m/s2], edge of a brick [m]
 every = 0.01  # between two samples of the history [s]
@@ -48,7 +48,7 @@ def wallAtRest():
 	adobe = BrickMat(young=9.8e6, poisson=0.25, density=1800, frictionAngle=phi, mortar=mortar)
 	O.bodies.append(wall(0, axis=2, sense=1, material=adobe))
 	O.bodies.append(build.straightJointWall(3, 4, (side, side, side), material=adobe, contactThickness=4e-3).bodies)
-	shaking = motion.syntheticNearFault(duration=5.0, pulsePeriod=0.8, pulseVelocity=0.4, phaseTimes=(1.2, 2.8), peak=0.5 * gravity, seed=3)
+	shaking = syntheticNearFault(duration=5.0, pulsePeriod=0.8, pulseVelocity=0.4, phaseTimes=(1.2, 2.8), peak=0.5 * gravity, seed=3)
 	O.engines = yade_brick.engines(gravity=(0, 0, -gravity), motion=shaking)
 	MortarJoints()()
 	StaticEquilibrium()()

@@ -5,7 +5,7 @@
     build/yade-batch walls.table examples/shakenWall.py     for each row of a table with any of the columns below
 
 Reads its parameters as YADE's scripts do (readParamsFromTable) and records what came of it in result.json of its folder: the largest drift of the top course,
-the share of failed mortar, whether bricks have fallen. The motion is made by yade_brick.motion.syntheticNearFault: it is no record of any earthquake.
+the share of failed mortar, whether bricks have fallen. The motion is made by yade_brick.syntheticNearFault: it is no record of any earthquake.
 """
 
 import math
@@ -13,7 +13,7 @@ import math
 import numpy as np
 
 import yade_brick
-from yade_brick import motion, study
+from yade_brick import study, syntheticNearFault
 
 readParamsFromTable(
         noTableOk=True,
@@ -41,7 +41,7 @@ def build():
 
 def groundMotion():
 	"""The motion in its shape, which the seed chooses, scaled to the peak ground acceleration."""
-	shape = motion.syntheticNearFault(duration=5.0, pulsePeriod=pulsePeriod, pulseVelocity=0.4, phaseTimes=(1.5, 2.8), peak=0.8 * gravity, seed=seed)
+	shape = syntheticNearFault(duration=5.0, pulsePeriod=pulsePeriod, pulseVelocity=0.4, phaseTimes=(1.5, 2.8), peak=0.8 * gravity, seed=seed)
 	return shape.scaled(pga / shape.peak().max())
 
 

@@ -37,8 +37,9 @@ _classes = _load()
 globals().update(_classes)
 
 from . import (
-        (, assembly, bill, build, capacity, designSpectrum, intensity, loop, motion, motionFiles, motionPicture, picture, progress, pulses, quasiStatic,
-        report, rest, snapshot, spectrum, spectrumCompatible, synthetic
+        animation, arches, assembly, baseline, bill, blocks, bonds, build, capacity, checkpoint, designSpectrum, faces, files, fragility, histories, houses,
+        ida, intensity, joints, loop, masonryCheck, mesh, motion, motionFiles, motionPicture, openings, paraview, picture, piers, progress, pulses,
+        quasiStatic, report, rest, segments, snapshot, solids, spectrum, spectrumCompatible, study, synthetic, walls
 )
 from .animation import Film
 from .arches import Arch, Piers, arch, barrelVault, ellipticalLine, pointedLine, segmentalLine, semicircularLine
@@ -56,7 +57,7 @@ from .joints import JointList, layMortar, listJoints
 from .loop import Loop, effects, engines
 from .masonryCheck import MasonryCheck, checkMasonry
 from .mesh import MeshBricks, readBricks, writeBricks
-from .motion import Motion, combineComponents, readAt2, readColumns, syntheticNearFault
+from .motion import Motion, combineComponents
 from .motionFiles import readAt2, readAt2Components, readColumns, writeColumns
 from .motionPicture import motionPlot
 from .openings import Opening
@@ -74,12 +75,6 @@ from .spectrumCompatible import syntheticFromSpectrum
 from .study import runStudy, writeTable
 from .synthetic import syntheticNearFault
 from .walls import bondedWall, wallsAlong
-        (, assembly, bill, blocks, bonds, build, checkpoint, files, fragility, houses, ida, loop, motion, openings, picture, piers, progress, report, rest,
-        snapshot, study, walls
-)
-        animation, arches, assembly, bill, build, faces, histories, joints, loop, masonryCheck, mesh, motion, paraview, picture, progress, report, rest,
-        segments, snapshot, solids
-)
 
 # Modules stay out of `from yade_brick import *`: names such as `motion` and `report` are often a script's own.
 __all__ = sorted(name for name, value in globals().items() if not name.startswith('_') and type(value) is not type(_sys))

@@ -4,7 +4,6 @@
 # The engine that applies a motion to a scene is GroundMotion. SciPy is loaded only by the operations that need it.
 """Ground motions and their operations. SI units; an operation leaves its motion as it is and returns another, whose name says what was done."""
 
-import importlib
 import math
 from dataclasses import dataclass
 from fractions import Fraction
@@ -378,16 +377,3 @@ def _filteredAt(acceleration, oldDt, newDt):
 	longer = max(ratio.numerator, ratio.denominator)
 	taps = firwin(2 * _filterReach * longer + 1, _filterCorner / longer, window=("kaiser", _filterBeta))
 	return resample_poly(acceleration, ratio.numerator, ratio.denominator, axis=0, window=taps)
-
-
-# What scripts have long found here, as motion.readAt2, though it lives in a module of its own, which needs this one.
-_elsewhere = {
-        **dict.fromkeys(("accelerationUnits", "readAt2", "readAt2Components", "readColumns", "writeColumns"), "motionFiles"),
-        **dict.fromkeys(("syntheticNearFault", "velocityPulse"), "synthetic")
-}
-
-
-def __getattr__(name):
-	if name not in _elsewhere:
-		raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-	return getattr(importlib.import_module(f".{_elsewhere[name]}", __package__), name)

@@ -19,12 +19,6 @@ class MotionTest(FileCase):
 	def test_docstring_example_holds(self):
 		self.assertEqual(doctest.testmod(motion).failed, 0)
 
-	def test_readers_and_the_near_fault_motion_are_found_here_as_well(self):
-		self.assertIs(motion.syntheticNearFault, synthetic.syntheticNearFault)
-		self.assertIs(motion.readAt2, standalone.load("motionFiles").readAt2)
-		with self.assertRaises(AttributeError):
-			motion.readAt3
-
 	def test_constant_acceleration_integrates_to_closed_form(self):
 		constant = motion.Motion(0.01, np.tile([2.0, 0, -1], (101, 1)), "constant")
 		# The trapezoidal rule is exact for a constant, and for the straight line that follows; what is left is round-off.
