@@ -8,9 +8,13 @@ source=$(cd "$(dirname "$0")/.." && pwd)
 build=${BRICK_BUILD:-$source/build}
 
 packages='yade g++ cmake ninja-build libeigen3-dev libboost-python-dev libboost-serialization-dev libpython3-dev libgtest-dev
-	python3-matplotlib python3-numpy python3-scipy python3-tqdm python3-hypothesis valgrind'
+	python3-matplotlib python3-numpy python3-scipy python3-tqdm python3-meshio python3-pil python3-hypothesis valgrind
+	python3-sphinx python3-myst-parser python3-sphinx-rtd-theme'
 
 installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
+
+# tests read files for ParaView with VTK's Python, which ParaView's own brings too; the two packages exclude each other
+installed python3-paraview || packages="$packages python3-vtk9"
 
 missing=
 for package in $packages; do

@@ -62,7 +62,14 @@ class Film:
 		return self._joints.marks(self.widest)
 
 	def save(self, path, framesPerSecond=20, **options):
-		"""Draws and joins the frames, see saveFrames."""
+		"""Draws and joins the frames.
+
+		:param path: '.gif', '.mp4' or a folder, see saveFrames
+		:param framesPerSecond: > 0
+		:param options: the other arguments of saveFrames
+		:returns: path
+		:raises ValueError, RuntimeError: as saveFrames
+		"""
 		return saveFrames(path, self.frames, framesPerSecond, **options)
 
 

@@ -190,7 +190,7 @@ class Arch:
 
 	@property
 	def bodies(self):
-		"""All bodies."""
+		"""All bodies: abutments, then voussoirs course by course."""
 		return [body for side in self.abutments for course in side for body in course] + self.voussoirs
 
 	@property

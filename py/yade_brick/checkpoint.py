@@ -90,7 +90,11 @@ def runWithCheckpoints(
 
 
 def checkpoints(folder):
-	"""Paths of the checkpoints in a folder, the oldest first; each holds scene.yade.gz, which YADE opens (O.load)."""
+	"""The checkpoints in a folder.
+
+	:param folder: as given to runWithCheckpoints
+	:returns: list of their paths, the oldest first; each is a folder with scene.yade.gz, which YADE opens (O.load)
+	"""
 	names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
 	return [os.path.join(folder, name) for name in names if name.startswith(_prefix)]
 

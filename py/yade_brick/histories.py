@@ -116,7 +116,9 @@ class Histories:
 
 		:param path: PNG, PDF or SVG file
 		:param panels: list of lists of headings (or names without unit) of one unit, a panel each; by default as the histories were made with
+		:param title: text above; None: none
 		:param width: [inches]
+		:param dpi: pixels per inch of a PNG
 		:raises ValueError: for no sample, or columns of several units in a panel
 		:raises KeyError: for a column that is not there
 		"""

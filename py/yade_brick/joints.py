@@ -78,7 +78,10 @@ class JointList(tuple):
 		return JointList(replace(joint, failed=_failedNow(O.interactions, joint)) for joint in self)
 
 	def writeCsv(self, path):
-		"""Writes a line for each joint, with units in the headings; strengths are blank where the mortar is not known."""
+		"""Writes a line for each joint, with units in the headings; strengths are blank where the mortar is not known.
+
+		:param path: CSV file; its folder is made if absent
+		"""
 		os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
 		with open(path, "w", newline="") as file:
 			writer = csv.writer(file, lineterminator="\n")
