@@ -7,8 +7,8 @@ set -eu
 source=$(cd "$(dirname "$0")/.." && pwd)
 build=${BRICK_BUILD:-$source/build}
 
-packages='yade g++ cmake ninja-build libeigen3-dev libboost-python-dev libboost-serialization-dev libpython3-dev libgtest-dev
-	python3-matplotlib python3-numpy python3-scipy python3-tqdm python3-hypothesis valgrind'
+packages='yade g++ cmake ninja-build libeigen3-dev libboost-python-dev libboost-serialization-dev libpython3-dev libgl-dev libgtest-dev
+	python3-matplotlib python3-numpy python3-scipy python3-tqdm python3-hypothesis valgrind xvfb xauth libgl1-mesa-dri'
 
 installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 

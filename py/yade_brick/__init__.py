@@ -30,13 +30,23 @@ def _load():
 	for namespace in (yade, __main__):
 		vars(namespace).update(classes)
 	system._allSerializables.update(classes)
+	_showInController(classes)
 	return classes
+
+
+def _showInController(classes):
+	"""Adds the drawing classes to the display tab of a controller that was open before."""
+	qt = _sys.modules.get('yade.qt')
+	if qt is None: return
+	vars(qt).update(classes)
+	for name in sorted(classes):
+		if name.startswith('Gl1_') and qt.controller and qt.controller.displayCombo.findText(name) < 0: qt.controller.displayCombo.addItem(name)
 
 
 _classes = _load()
 globals().update(_classes)
 
-from . import assembly, bill, build, loop, motion, picture, progress, report, rest, snapshot
+from . import assembly, bill, build, loop, motion, picture, progress, report, rest, snapshot, window
 from .assembly import assembled
 from .bill import Bill
 from .build import Masonry, brick, englishBondWall, groundMotion, straightJointWall
