@@ -51,11 +51,14 @@ namespace {
 	void setColor(const Vector3r& c) { glColor3d(c[0], c[1], c[2]); }
 	void vertex(const Vector3r& x) { glVertex3d(x[0], x[1], x[2]); }
 
-	/// Without the shine that the view gives to all, colours are those of the map.
+	/// Without the shine and the glow that the view gives to all surfaces, colours are those of the map. The glow of a selected body is left.
 	void dullSurface()
 	{
-		const GLfloat none[4] = { 0, 0, 0, 1 };
+		constexpr GLfloat none[4] = { 0, 0, 0, 1 }, glowOfAll = .2f;
+		GLfloat           glow[4];
 		glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, none);
+		glGetMaterialfv(GL_FRONT, GL_EMISSION, glow);
+		if (glow[0] == glowOfAll) glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, none);
 	}
 
 	void unlitLines(Real width)
@@ -263,7 +266,7 @@ namespace {
 		if (!drawn.holds() && int(drawn.states.size()) != drawn.joint.count()) return;
 		const Real size = std::sqrt(drawn.joint.area());
 		const Real thickness = std::isnan(Gl1_BrickGeom::thickness) ? size / 20 : Gl1_BrickGeom::thickness;
-		const Real widest    = std::isnan(Gl1_BrickGeom::widest) ? size / 2 : Gl1_BrickGeom::widest;
+		const Real widest    = std::isnan(Gl1_BrickGeom::widest) ? size / 4 : Gl1_BrickGeom::widest;
 		std::vector<PlacedPatch> placed;
 		for (const auto& patch : moved.motion.patches)
 			placed.emplace_back(patch, moved.origin, moved.motion.normal, thickness);

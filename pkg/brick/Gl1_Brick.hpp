@@ -50,7 +50,7 @@ Joints are drawn where bodies are, whatever ``Renderer().dispScale`` is; they fo
 		((bool, intact, true, , "Draw segments that hold, too; of a joint that holds, as one plate."))
 		((bool, contacts, false, , "Draw contacts that are no joints, as a cross at their middle."))
 		((Real, thickness, NaN, , "Thickness of the plates [m]; they stand out by half of it. NaN: a twentieth of the square root of the joint's area."))
-		((Real, widest, NaN, , "Failed segments whose sides have moved apart or slid by more [m] are not drawn: such a crack shows by itself. NaN: half the square root of the joint's area."))
+		((Real, widest, NaN, , "Failed segments whose sides have moved apart or slid by more [m] are not drawn: such a crack shows by itself. NaN: a quarter of the square root of the joint's area."))
 		((bool, overlay, false, , "Draw in front of all bricks, also those that hide the joint."))
 		((Vector3r, intactColor, Vector3r(.80, .77, .71), , "Colour of segments that hold, and of contacts."))
 		((Vector3r, tensionColor, Vector3r(.07, .71, .90), , "Colour of segments that failed in tension."))

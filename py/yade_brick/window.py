@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# YADE's 3-D window from a script: opened with a camera that is told, not found by hand, and saved when it has really been painted. YADE's own saveSnapshot
-# only notes the file's name for the next painting, which a script that goes on computing never lets happen.
+# YADE's 3-D window from a script: opened with a camera that is told, not found by hand, and saved at once and without loss. YADE's own saveSnapshot notes the
+# file's name for the next painting, which a script that goes on computing never lets happen, and then writes JPEG whatever the name.
 """YADE's 3-D view: opening it, pointing its camera, saving what it shows."""
 
 import math
@@ -46,31 +46,22 @@ def openView(look="3d", around=None, size=(960, 640), background=(1, 1, 1)):
 	return view
 
 
-def saveView(path, timeout=30.0):
-	"""Saves what the open view shows, painted anew, and waits until the file is there.
+def saveView(path):
+	"""Paints the open view anew and saves it.
 
 	:param path: PNG file; its folder must exist
-	:param timeout: real time that is waited at most [s], > 0
 	:returns: the path
-	:raises ValueError: for a timeout that is no positive number, or a folder that does not exist
-	:raises RuntimeError: when no view is open, or nothing was saved in time
+	:raises ValueError: for a folder that does not exist
+	:raises RuntimeError: when no view is open
+	:raises OSError: when the file cannot be written
 	"""
-	if not isFinite(timeout) or timeout <= 0:
-		raise ValueError(f"timeout is {timeout!r}; allowed is a finite number of seconds > 0")
-	folder = os.path.dirname(os.path.abspath(path))
-	if not os.path.isdir(folder):
+	if not os.path.isdir(os.path.dirname(os.path.abspath(path))):
 		raise ValueError(f"path is {path!r}; its folder does not exist")
-	views = _qt().views()
-	if not views:
-		raise RuntimeError("no 3-D view is open; call openView first")
-	part = os.path.join(folder, f".{os.getpid()}-{os.path.basename(path)}.png")
-	views[0].saveSnapshot(part)
-	until = time.monotonic() + timeout
-	while not _isComplete(part):
-		if time.monotonic() > until:
-			raise RuntimeError(f"the view was not saved within {timeout:g} s")
-		processEvents()
-	os.replace(part, path)
+	_qt()
+	processEvents()  # what has been asked of the window, such as another size
+	image = _viewWidget().grabFramebuffer()
+	if image.isNull() or not image.save(path, "PNG"):
+		raise OSError(f"the view could not be written to {path!r}")
 	return path
 
 
@@ -99,13 +90,13 @@ def _qt():
 	return qt
 
 
-def _isComplete(path):
-	"""Whether a PNG file is there with its end."""
-	try:
-		with open(path, "rb") as file:
-			return file.read().endswith(b"IEND\xaeB`\x82")
-	except FileNotFoundError:
-		return False
+def _viewWidget():
+	"""Qt's object of the open view."""
+	from PyQt5.QtWidgets import QApplication, QOpenGLWidget
+	for widget in QApplication.topLevelWidgets():
+		if isinstance(widget, QOpenGLWidget) and widget.isVisible():
+			return widget
+	raise RuntimeError("no 3-D view is open; call openView first")
 
 
 def _checkedVector(values, name):

@@ -13,7 +13,7 @@ out, facts = sys.argv[1], {}
 def save(name, view, **more):
 	window.saveView(os.path.join(out, name + '.png'))
 	camera = dict(eye=tuple(view.eyePosition), direction=tuple(view.viewDir), up=tuple(view.upVector))
-	facts[name] = dict(camera=camera, **more)
+	facts[name] = dict(camera=camera, shownRange=tuple(Gl1_Brick.shownRange), largestForce=Gl1_BrickPhys.largest, **more)
 
 
 def openView(**options):
@@ -42,9 +42,9 @@ Gl1_Brick.wire = False
 # a field
 left.state.vel, right.state.vel = (0, 0, 0), (3, 0, 4)
 Gl1_Brick.field = 'speed'
-save('speed', view, shownRange=tuple(Gl1_Brick.shownRange))
+save('speed', view)
 Gl1_Brick.range = (0, 10)
-save('range', view, shownRange=tuple(Gl1_Brick.shownRange))
+save('range', view)
 Gl1_Brick.range = (math.nan, math.nan)
 values = {}
 for field in ('displacement', 'meanStress', 'verticalStress', 'principalStress', 'vonMisesStress', 'level', 'utilisation', 'failed'):
@@ -64,9 +64,10 @@ StaticEquilibrium()()
 O.step()
 qt.Renderer().wire = False
 view = openView()
-save('column', view, stress=[b.shape.stress()[2] for b in (lower, upper)], shownRange=tuple(Gl1_Brick.shownRange))
-Gl1_Brick.deformationScale = 500
-save('magnified', view, side=max(lower.shape.displacement[a][0] for a in range(8)))
+save('column', view, stress=[b.shape.stress()[2] for b in (lower, upper)])
+Gl1_Brick.deformationScale = 1500
+bulge = lower.shape.displacement[15]  # of 26 nodes, that half way up the front edge on the right
+save('magnified', view, bulge=1500 * bulge[0], toViewer=-1500 * bulge[1])
 Gl1_Brick.deformationScale = 1
 
 # joints: one torn off and one slid off its base altogether, one that holds, under gravity; rigid bricks, free in one direction each, so that all segments do the same
@@ -82,8 +83,8 @@ MortarJoints()()
 torn, slid, held = made[1::2]
 torn.state.vel, torn.state.blockedDOFs = (0, 0, .5), 'xyXYZ'
 slid.state.vel, slid.state.blockedDOFs = (.5, 0, 0), 'yzXYZ'
-O.dt = 2e-5
-O.run(200, True)
+loop.stepper.active, O.dt = False, 2e-5
+O.run(200, True)  # 2 mm of motion
 law = loop.law
 qt.Renderer().intrGeom = True
 save('joints', view, places=places, failures=(law.tensionFailures, law.shearFailures, law.compressionFailures))
@@ -92,14 +93,14 @@ save('cracksOnly', view, places=places)
 Gl1_BrickGeom.intact = True
 qt.Renderer().intrGeom = False
 qt.Renderer().intrPhys = True
-save('forces', view, places=places, largest=Gl1_BrickPhys.largest)
+save('forces', view, places=places)
 qt.Renderer().intrPhys = False
 
 # painted while it runs: bricks that change their level, joints that end, contacts that come and go
 O.reset()
 adobe = BrickMat(young=1e7, poisson=.25, density=1800, frictionAngle=.5, mortar=Mortar(tensileStrength=2e3, cohesion=2e3, frictionAngle=.5, compressiveStrength=4e5))
 O.bodies.append(wall(0, axis=2, sense=1, material=adobe))
-masonry = yade_brick.straightJointWall(3, 3, (.2, .2, .2), material=adobe, contactThickness=2e-3, deformation='rigid')
+masonry = yade_brick.straightJointWall(3, 3, (.2, .2, .2), material=adobe, contactThickness=2e-3)
 O.bodies.append(masonry.bodies)
 shake = yade_brick.Motion(.01, [(15 * math.sin(20 * i * .01), 0, 0) for i in range(400)], name='sine')
 O.engines = loop = yade_brick.engines(gravity=(0, 0, -9.8), motion=shake, onDemand=True)
