@@ -177,7 +177,7 @@ class Drawn(unittest.TestCase):
 
 class ImportedLate(unittest.TestCase):
 
-	def test_a_window_that_was_open_before_the_import_draws_bricks(self):
+	def test_a_window_that_was_open_before_the_import_draws_bricks_and_its_display_tab_offers_how(self):
 		# YADE's own program, whose renderer collected its functors before the script; without the flag that Module.cpp clears it would abort
 		with tempfile.TemporaryDirectory() as folder:
 			script = os.path.join(folder, 'late.py')
@@ -186,7 +186,9 @@ class ImportedLate(unittest.TestCase):
 				        'from yade import qt\nqt.View()\nimport yade_brick\nfrom yade_brick import window\n'
 				        'O.bodies.append(yade_brick.brick((.2, .2, .2), material=BrickMat(young=1e7, poisson=.25, density=2000, frictionAngle=.5), color=(.8, .1, .1)))\n'
 				        'window.openView("elevation", size=(200, 200))\nwindow.saveView(%r)\n'
-				        'assert qt.controller.displayCombo.findText("Gl1_Brick") >= 0\n' % os.path.join(folder, 'late.png')
+				        'for name in ("Gl1_Brick", "Gl1_BrickGeom", "Gl1_BrickPhys"):\n\tassert qt.controller.displayCombo.findText(name) >= 0\n'
+				        '\tqt.controller.displayComboSlot(name)\n'
+				        '\tassert all(entry.widget for entry in qt.controller.displayArea.widget().entries)\n' % os.path.join(folder, 'late.png')
 				)
 			package = os.path.dirname(os.path.dirname(os.path.abspath(yade_brick._core.__file__)))
 			process = inWindow(script, program='yade', PYTHONPATH=package)
