@@ -85,6 +85,7 @@ else:
 	segments = sum(len(phys.segmentState) for phys in joints)
 	failed = sum(state != 0 for phys in joints for state in phys.segmentState)
 	rows = [report.judgedRow("share of segments that hold: the wall has cracked", 1 - failed / segments, limit=0.999)]
-	report.writeResult(chosen.out, rows, tension=law.tensionFailures, shear=law.shearFailures, compression=law.compressionFailures, shownRange=list(Gl1_Brick.shownRange))
+	failures = dict(tension=law.tensionFailures, shear=law.shearFailures, compression=law.compressionFailures)
+	report.writeResult(chosen.out, rows, failures=failures, shownRange=list(Gl1_Brick.shownRange))
 	print(report.table(rows, title=f"View saved as {chosen.snapshot}"))
 	sys.exit(report.exitStatus(rows))

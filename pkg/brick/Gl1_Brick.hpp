@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bricks, mortar joints and contact forces in YADE's 3-D view. Drawing reads and changes nothing; what makes that safe while a simulation runs is in DrawingLock.hpp.
+// Bricks, mortar joints and contact forces in YADE's 3-D view. Drawing reads and changes nothing; what makes that safe while a simulation runs is in
+// DrawingLock.hpp.
 #pragma once
 
 #include "BrickContact.hpp"

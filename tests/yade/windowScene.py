@@ -56,7 +56,8 @@ facts['fields'] = values
 # deformation: a column under its weight, of elastic bricks glued to the ground
 Gl1_Brick.field = 'verticalStress'
 strong = Mortar(tensileStrength=1e9, cohesion=1e9, frictionAngle=.5, compressiveStrength=1e9)
-lower, upper = bricks((0, 0, -.1), (0, 0, .1), material=BrickMat(young=1e7, poisson=.25, density=2000, frictionAngle=.5, mortar=strong), deformation='refined', segments=4)
+adobe = BrickMat(young=1e7, poisson=.25, density=2000, frictionAngle=.5, mortar=strong)
+lower, upper = bricks((0, 0, -.1), (0, 0, .1), material=adobe, deformation='refined', segments=4)
 O.bodies.append(wall(-.2, axis=2, sense=1, material=lower.material))
 O.engines = yade_brick.engines(gravity=(0, 0, -9.81))
 MortarJoints()()
@@ -70,7 +71,8 @@ bulge = lower.shape.displacement[15]  # of 26 nodes, that half way up the front 
 save('magnified', view, bulge=1500 * bulge[0], toViewer=-1500 * bulge[1])
 Gl1_Brick.deformationScale = 1
 
-# joints: one torn off and one slid off its base altogether, one that holds, under gravity; rigid bricks, free in one direction each, so that all segments do the same
+# joints: one torn off and one slid off its base altogether, one that holds, under gravity; rigid bricks, free in one direction each, so that all
+# segments do the same
 Gl1_Brick.field = 'color'
 weak = Mortar(tensileStrength=1e4, cohesion=1e4, frictionAngle=.5, compressiveStrength=1e6)
 places = (-.35, 0, .35)
@@ -98,7 +100,8 @@ qt.Renderer().intrPhys = False
 
 # painted while it runs: bricks that change their level, joints that end, contacts that come and go
 O.reset()
-adobe = BrickMat(young=1e7, poisson=.25, density=1800, frictionAngle=.5, mortar=Mortar(tensileStrength=2e3, cohesion=2e3, frictionAngle=.5, compressiveStrength=4e5))
+weak = Mortar(tensileStrength=2e3, cohesion=2e3, frictionAngle=.5, compressiveStrength=4e5)
+adobe = BrickMat(young=1e7, poisson=.25, density=1800, frictionAngle=.5, mortar=weak)
 O.bodies.append(wall(0, axis=2, sense=1, material=adobe))
 masonry = yade_brick.straightJointWall(3, 3, (.2, .2, .2), material=adobe, contactThickness=2e-3)
 O.bodies.append(masonry.bodies)
