@@ -14,18 +14,6 @@ namespace yade {
 
 YADE_ENUM(yade, BrickField, (color)(displacement)(speed)(meanStress)(verticalStress)(principalStress)(vonMisesStress)(level)(utilisation)(failed));
 
-namespace {
-
-	/// YADE's GUI asks each attribute for its documentation; one that all objects share has only that of its type, and an enumeration has none by itself.
-	__attribute__((constructor)) void documentEnumeration()
-	{
-		const auto* const known = py::converter::registry::query(py::type_id<BrickField>());
-		if (!known || !known->m_class_object) return;
-		py::object(py::handle<>(py::borrowed(reinterpret_cast<PyObject*>(known->m_class_object)))).attr("__doc__") = "What bricks are coloured by.";
-	}
-
-} // namespace
-
 Vector3r fieldColor(Real share)
 {
 	static const Vector3r shades[] = { { .07, .10, .36 }, { .25, .33, .56 }, { .50, .54, .58 }, { .77, .73, .44 }, { 1, .93, .36 } };

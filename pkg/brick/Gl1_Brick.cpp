@@ -5,6 +5,9 @@
 
 #include <GL/gl.h>
 
+#include <boost/python/handle.hpp>
+#include <boost/python/object.hpp>
+
 namespace yade {
 
 YADE_PLUGIN((Gl1_Brick)(Gl1_BrickGeom)(Gl1_BrickPhys));
@@ -34,6 +37,19 @@ Real     Gl1_BrickPhys::lineWidth;
 bool     Gl1_BrickPhys::overlay;
 Vector3r Gl1_BrickPhys::pressColor;
 Vector3r Gl1_BrickPhys::pullColor;
+
+namespace {
+
+	/// YADE's GUI asks each attribute for its documentation; one that all objects share has only that of its type, and an enumeration has none by itself.
+	/// This runs after the enumeration was made, because this file is linked after BrickField.cpp.
+	__attribute__((constructor)) void documentEnumeration()
+	{
+		const auto* const known = py::converter::registry::query(py::type_id<BrickField>());
+		if (!known || !known->m_class_object) return;
+		py::object(py::handle<>(py::borrowed(reinterpret_cast<PyObject*>(known->m_class_object)))).attr("__doc__") = "What bricks are coloured by.";
+	}
+
+} // namespace
 
 // What OpenGL is told
 
