@@ -116,7 +116,7 @@ openView()
 painted, fields = 0, ('utilisation', 'failed', 'principalStress', 'level')
 O.run()
 until = O.realtime + 60
-while O.time < .6 and O.realtime < until:
+while (O.time < .6 or painted < 8) and O.realtime < until:
 	Gl1_Brick.field = fields[painted % len(fields)]
 	window.saveView(os.path.join(out, 'running.png'))
 	painted += 1
