@@ -30,8 +30,15 @@ require("Boost.Serialization" libboost-serialization-dev Boost_serialization_FOU
 find_package(OpenMP QUIET COMPONENTS CXX)
 require("OpenMP for C++" g++ OpenMP_CXX_FOUND)
 
+set(OpenGL_GL_PREFERENCE LEGACY) # libGL, which YADE itself draws with
+find_package(OpenGL QUIET)
+require("OpenGL" libgl-dev OPENGL_FOUND)
+
 find_package(GTest QUIET)
 require("GoogleTest" libgtest-dev GTest_FOUND)
+
+find_program(XVFB_RUN xvfb-run)
+require("xvfb-run, for tests of the 3-D view" "xvfb xauth" XVFB_RUN)
 
 if(missing)
 	list(REMOVE_DUPLICATES missing_packages)

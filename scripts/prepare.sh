@@ -7,9 +7,9 @@ set -eu
 source=$(cd "$(dirname "$0")/.." && pwd)
 build=${BRICK_BUILD:-$source/build}
 
-packages='yade g++ cmake ninja-build libeigen3-dev libboost-python-dev libboost-serialization-dev libpython3-dev libgtest-dev
-	python3-matplotlib python3-numpy python3-scipy python3-tqdm python3-meshio python3-pil python3-hypothesis'
-for_tests='valgrind python3-sphinx python3-myst-parser python3-sphinx-rtd-theme'
+packages='yade g++ cmake ninja-build libeigen3-dev libboost-python-dev libboost-serialization-dev libpython3-dev libgl-dev libgtest-dev
+	python3-matplotlib python3-numpy python3-scipy python3-tqdm python3-meshio python3-pil python3-hypothesis xvfb xauth'
+for_tests='valgrind libgl1-mesa-dri python3-sphinx python3-myst-parser python3-sphinx-rtd-theme'
 
 installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "Brick.hpp"
 
+#include "DrawingLock.hpp"
+
 #include <core/Body.hpp>
 #include <core/Cell.hpp>
 #include <core/Scene.hpp>
@@ -228,6 +230,7 @@ void Brick::postLoad(Brick&)
 /// Takes up the level that is wanted, undeformed.
 void Brick::beginLevel()
 {
+	const DrawingLock lock;
 	level = wanted;
 	share = progress = lastShare = 1;
 	inside.reset();
@@ -299,8 +302,12 @@ const brick::InnerPart* Brick::innerPart(const BrickMat& material)
 	type.young                = material.young;
 	type.poisson              = material.poisson;
 	type.density              = material.density;
-	inside                    = sharedInnerPart(type);
-	counted                   = false;
+	const auto part           = sharedInnerPart(type);
+	{
+		const DrawingLock lock;
+		inside = part;
+	}
+	counted = false;
 	amplitudes.resize(inside->modes.count(), 0);
 	rates.resize(inside->modes.count(), 0);
 	return inside.get();

@@ -14,7 +14,19 @@
 
 #include <algorithm>
 
+namespace brick {
+struct JointShape;
+}
+
 namespace yade {
+
+/// A mortar joint of a brick all of whose segments have failed: for the 3-D view, not saved.
+struct LostJoint {
+	int                                      other; // body of side 0
+	std::shared_ptr<const brick::JointShape> shape;
+	Real                                     restGap;
+	std::vector<int>                         states; // of its segments, as BrickPhys.segmentState
+};
 
 /// How a brick's deformation is followed: what its attributes of the same names say.
 struct BrickLevel {
@@ -72,6 +84,8 @@ public:
 	}
 	long contactStep = -1; // the last step with an ordinary contact
 	bool counted     = false; // by BrickTimeStepper, with the joints that it has now
+
+	std::vector<LostJoint> lostJoints; // of which it was side 1
 
 	brick::Placement placement(const Vector3r& position, const State& state) const;
 	brick::Side      side(const Vector3r& position, const State& state) const;

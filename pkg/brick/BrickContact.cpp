@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "BrickContact.hpp"
 
+#include "DrawingLock.hpp"
 #include "Prefetch.hpp"
 #include "Stopwatch.hpp"
 
@@ -530,6 +531,7 @@ void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phy
 	if (phys.joint.shape->faces[0].face < 0) phys.loads.torque[0] += (geom.origin - first.state->pos).cross(phys.loads.forceOn(0));
 	fillReport(sum, geom.origin, geom, phys);
 	if (failures.total() == 0) return;
+	phys.cracked.store(true, std::memory_order_release);
 #pragma omp atomic
 	tensionFailures += failures.tension;
 #pragma omp atomic
@@ -537,7 +539,9 @@ void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phy
 #pragma omp atomic
 	compressionFailures += failures.compression;
 	if (phys.joint.intact() > 0) return;
-	const Vector3r& at = second.state->pos;
+	const Vector3r&   at = second.state->pos;
+	const DrawingLock lock;
+	static_cast<Brick&>(*second.shape).lostJoints.push_back({ first.getId(), phys.joint.shape, phys.joint.restGap, phys.segmentState() });
 	endJoint(sideOfBody(first, geom.supportSolid, at), sideOfBody(second, geom.supportSolid, at), terms, geom, phys);
 }
 

@@ -16,6 +16,8 @@
 #include <pkg/dem/FrictPhys.hpp>
 #include <pkg/dem/ScGeom.hpp>
 
+#include <atomic>
+
 namespace yade {
 
 class BrickGeom : public GenericSpheresContact {
@@ -73,6 +75,7 @@ public:
 	brick::JointLoads         loads;     // of a joint
 	long                      step   = -1;   // in which they were computed
 	bool                      damped = true; // whether the law of that step has dashpots: for StepLimit
+	std::atomic<bool>         cracked { false }; // whether the joint's segments are laid out: for the 3-D view, which may look at any time
 
 	std::unique_ptr<PairLedger> ledger; // null unless energy is tracked
 
@@ -92,6 +95,8 @@ public:
 	std::vector<Vector3r> segmentOutlines(const shared_ptr<BrickGeom>&) const;
 	boost::python::object segmentTable(const shared_ptr<BrickGeom>&) const;
 	Real                  elasticEnergy(const shared_ptr<BrickGeom>&) const;
+
+	void postLoad(BrickPhys&) { cracked = !joint.segments.empty(); }
 
 	/// A value for each segment of the joint.
 	template <class Value, class Read> std::vector<Value> ofSegments(Read read) const

@@ -30,7 +30,17 @@ def _load():
 	for namespace in (yade, __main__):
 		vars(namespace).update(classes)
 	system._allSerializables.update(classes)
+	_showInController(classes)
 	return classes
+
+
+def _showInController(classes):
+	"""Adds the drawing classes to the display tab of a controller that was open before."""
+	qt = _sys.modules.get('yade.qt')
+	if qt is None: return
+	vars(qt).update(classes)
+	for name in sorted(classes):
+		if name.startswith('Gl1_') and qt.controller and qt.controller.displayCombo.findText(name) < 0: qt.controller.displayCombo.addItem(name)
 
 
 _classes = _load()
@@ -39,7 +49,7 @@ globals().update(_classes)
 from . import (
         animation, arches, assembly, baseline, bill, blocks, bonds, build, capacity, checkpoint, designSpectrum, faces, files, fragility, histories, houses,
         ida, intensity, joints, loop, masonryCheck, mesh, motion, motionFiles, motionPicture, openings, paraview, picture, piers, progress, pulses,
-        quasiStatic, report, rest, segments, snapshot, solids, spectrum, spectrumCompatible, study, synthetic, walls
+        quasiStatic, report, rest, segments, snapshot, solids, spectrum, spectrumCompatible, study, synthetic, walls, window
 )
 from .animation import Film
 from .arches import Arch, Piers, arch, barrelVault, ellipticalLine, pointedLine, segmentalLine, semicircularLine

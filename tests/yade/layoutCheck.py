@@ -136,6 +136,7 @@ probe(
         iterBorn=(160, 'long')
 )
 probe(Ip2_FrictMat_FrictMat_FrictPhys(), label=(48, 'string'))
+for functor in (Gl1_Sphere(), Gl1_NormPhys(), Gl1_Brick(), Gl1_BrickGeom(), Gl1_BrickPhys()): probe(functor, label=(48, 'string'))
 probe(ForceResetter(), dead=(64, 'bool'), ompThreads=(68, 'int'), label=(72, 'string'))
 probe(GlobalStiffnessTimeStepper(), active=(104, 'bool'), timeStepUpdateInterval=(108, 'unsigned'))
 e = TranslationEngine(ids=[5, 6, 7])

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // What is done with the attributes of a class: archive, set by name, list, show to Python. Every class offers its attributes to a
-// visitor, called with (name, pointer to member, flags, documentation); the visitors are here, so that the macros of
-// Serializable.hpp stay short.
+// visitor, called with (name, pointer to member, flags, documentation), a plain pointer where all objects share the attribute; the
+// visitors are here, so that the macros of Serializable.hpp stay short.
 #pragma once
 
 #include <lib/factory/Factorable.hpp>
@@ -51,6 +51,10 @@ namespace detail {
 		{
 			if (!(flags & Attr::noSave)) archive& boost::serialization::make_nvp(name, object.*member);
 		}
+		template <class Member> void operator()(const char* name, Member* shared, int flags, const std::string&)
+		{
+			if (!(flags & Attr::noSave)) archive& boost::serialization::make_nvp(name, *shared);
+		}
 	};
 
 	template <class Class> struct SetAttr {
@@ -64,6 +68,12 @@ namespace detail {
 			object.*member = py::extract<Member>(value)();
 			found          = true;
 		}
+		template <class Member> void operator()(const char* name, Member* shared, int, const std::string&)
+		{
+			if (found || wanted != name) return;
+			*shared = py::extract<Member>(value)();
+			found   = true;
+		}
 	};
 
 	template <class Class> struct ListAttr {
@@ -72,6 +82,10 @@ namespace detail {
 		template <class Member> void operator()(const char* name, Member Class::*member, int flags, const std::string&)
 		{
 			if (!(flags & Attr::hidden)) list[name] = py::object(object.*member);
+		}
+		template <class Member> void operator()(const char* name, Member* shared, int flags, const std::string&)
+		{
+			if (!(flags & Attr::hidden)) list[name] = py::object(*shared);
 		}
 	};
 
@@ -110,7 +124,31 @@ namespace detail {
 			using Signature = boost::mpl::vector3<void, Class&, const Member&>;
 			pyClass.add_property(name, get, py::make_function(assign, py::default_call_policies(), Signature()), text.c_str());
 		}
+		/// Boost.Python has no documentation for what the class itself has: see classDocumentation.
+		template <class Member> void operator()(const char* name, Member* shared, int flags, const std::string&)
+		{
+			if (flags & Attr::hidden) return;
+			py::object get;
+			if constexpr (ByReference<Member>::value) get = py::make_getter(shared);
+			else
+				get = py::make_getter(shared, py::return_value_policy<py::return_by_value>());
+			if (flags & Attr::readonly) pyClass.add_static_property(name, get);
+			else
+				pyClass.add_static_property(name, get, py::make_setter(shared));
+		}
 	};
+
+	/// Documentation of a class with that of its shared attributes, in the form in which YADE's GUI looks for it.
+	template <class Class> std::string classDocumentation(std::string text)
+	{
+		text += "\n\n";
+		Class::visitAttrs([&text](const char* name, const auto&, int flags, const std::string& doc) {
+			const std::string given = doc.substr(doc.find(":ydefault:`") + 11), initial = given.substr(0, given.find('`'));
+			text += ".. ystaticattr:: " + Class().getClassName() + "." + name + "(=" + initial + ")\n\n\t" + doc + " :yattrflags:`" + std::to_string(flags)
+			        + "` \n\n";
+		});
+		return text;
+	}
 
 	/// __init__(self, *positional, **attributes). As in YADE, positional arguments are for pyHandleCustomCtorArgs only.
 	template <class Class> shared_ptr<Class> construct(py::tuple positional, py::dict attributes)

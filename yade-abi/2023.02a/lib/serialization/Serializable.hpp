@@ -83,6 +83,8 @@ YADE_ABI_SIZE(Serializable, 24)
 #define YADE_ABI_ATTR_DOC(attr) BOOST_PP_TUPLE_ELEM(5, 4, attr)
 
 #define YADE_ABI_DECLARE(r, unused, attr) YADE_ABI_ATTR_TYPE(attr) YADE_ABI_ATTR_NAME(attr);
+#define YADE_ABI_DECLARE_STATIC(r, unused, attr) static YADE_ABI_ATTR_TYPE(attr) YADE_ABI_ATTR_NAME(attr);
+#define YADE_ABI_ASSIGN(r, Class, attr) Class::YADE_ABI_ATTR_NAME(attr) = YADE_ABI_ATTR_TYPE(attr)(YADE_ABI_ATTR_INIT(attr));
 #define YADE_ABI_INITIALIZE(r, unused, attr) , YADE_ABI_ATTR_NAME(attr)(YADE_ABI_ATTR_INIT(attr))
 #define YADE_ABI_INITIALIZE_OTHER(r, unused, init) , BOOST_PP_TUPLE_ELEM(2, 0, init)(BOOST_PP_TUPLE_ELEM(2, 1, init))
 #define YADE_ABI_VISIT(r, Class, attr)                                                                                                                         \
@@ -106,6 +108,18 @@ public:                                                                         
 	{                                                                                                                                                      \
 		ctor;                                                                                                                                          \
 	}                                                                                                                                                      \
+	YADE_ABI_CLASS_BODY(Class, Base, doc, attrs, , pyDefs)
+
+/// Attributes that all objects of the class share, such as those of the functors of the 3-D view, which makes its own. They get their initial values when the
+/// class is made known to Python; the source file has to define them.
+#define YADE_CLASS_BASE_DOC_STATICATTRS(Class, Base, doc, attrs)                                                                                               \
+public:                                                                                                                                                        \
+	BOOST_PP_SEQ_FOR_EACH(YADE_ABI_DECLARE_STATIC, ~, attrs)                                                                                               \
+	YADE_ABI_CLASS_BODY(Class, Base, ::yade::detail::classDocumentation<Class>(doc).c_str(), attrs, BOOST_PP_SEQ_FOR_EACH(YADE_ABI_ASSIGN, Class, attrs), )
+
+// What every class overrides.
+// @param begin statements before the class is made known to Python
+#define YADE_ABI_CLASS_BODY(Class, Base, doc, attrs, begin, pyDefs)                                                                                            \
 	std::string getClassName() const override { return #Class; }                                                                                           \
 	std::string getBaseClassName(unsigned int i = 0) const override { return i == 0 ? #Base : ""; }                                                        \
 	int         getBaseClassNumber() const override { return 1; }                                                                                          \
@@ -137,6 +151,7 @@ public:                                                                         
 	{                                                                                                                                                      \
 		using PyClass = ::boost::python::class_<Class, ::boost::shared_ptr<Class>, ::boost::python::bases<Base>, boost::noncopyable>;                  \
 		this->checkPyClassRegistersItself(#Class);                                                                                                     \
+		begin                                                                                                                                          \
 		::boost::python::scope             inScope(scope_);                                                                                            \
 		::boost::python::docstring_options noCppSignatures(true, true, false);                                                                         \
 		PyClass                            _classObj(#Class, doc);                                                                                     \
