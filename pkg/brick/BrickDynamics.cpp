@@ -240,7 +240,11 @@ void BrickDynamics::changeLevels()
 	bool softer   = false; // a brick's springs are those of a rigid one again
 	Real duration = levelTime;
 	for (std::size_t id = 0; id < steps.size() && std::isnan(levelTime); ++id) // one for all: bricks that change together stay alike
-		if (steps[id].changing) duration = std::fmax(duration, static_cast<const Brick&>(*(*scene->bodies)[id]->shape).changeTime());
+		if (steps[id].changing) {
+			// not std::fmax: the NaN of YADE's own headers is a signalling one, which takes the other number with it
+			const Real time = static_cast<const Brick&>(*(*scene->bodies)[id]->shape).changeTime();
+			if (std::isnan(duration) || time > duration) duration = time;
+		}
 	for (std::size_t id = 0; id < steps.size(); ++id) {
 		if (!steps[id].changing) continue;
 		const Body& b       = *(*scene->bodies)[id];

@@ -130,7 +130,7 @@ void BrickValues::read(Scene& scene, BrickField asked)
 {
 	field = asked, begin = Clock::now();
 	values.assign(scene.bodies->size(), NaN);
-	ends = { NaN, NaN };
+	Real                         least = std::numeric_limits<Real>::infinity(), largest = -least;
 	std::unique_lock<std::mutex> interactions(scene.interactions->drawloopmutex, std::defer_lock);
 	if (isOfJoints(field)) interactions.lock();
 	for (const auto& b : *scene.bodies) {
@@ -138,9 +138,10 @@ void BrickValues::read(Scene& scene, BrickField asked)
 		if (!shape || !b->state) continue;
 		const Real value = values[b->getId()] = valueOf(*b, *shape, field, scene);
 		if (!std::isfinite(value)) continue;
-		ends[0] = std::fmin(ends[0], value);
-		ends[1] = std::fmax(ends[1], value);
+		least   = std::min(least, value);
+		largest = std::max(largest, value);
 	}
+	ends = least <= largest ? Vector2r(least, largest) : Vector2r(NaN, NaN);
 }
 
 Real BrickValues::of(const Shape& shape, Scene& scene, BrickField asked)
