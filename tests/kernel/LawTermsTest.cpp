@@ -288,6 +288,13 @@ struct Touch {
 	std::array<Loads, 2>     loads;
 	PairSummary              sum;
 
+	Touch(const Body& one, const Body& other, const PairSprings& between)
+	        : first(one)
+	        , second(other)
+	        , springs(between)
+	{
+	}
+
 	void step(const LawTerms& terms = {})
 	{
 		const Side side0 = first.side(), side1 = second.side();
@@ -328,7 +335,7 @@ TEST(ContactTermsTest, contact_without_a_term_is_bitwise_the_full_one_where_the_
 	for (const auto& bodies : touching())
 		for (const LawTerms& variant : variants()) {
 			pairs::Random random(5);
-			Touch         lean { bodies[0], bodies[1], damped(), {}, {}, {}, {}, {} };
+			Touch         lean(bodies[0], bodies[1], damped());
 			if (bodies[0].support) lean.springs = pairs::onSupport(lean.springs, 0);
 			Touch full   = lean;
 			full.springs = vanishing(lean.springs, variant);
@@ -350,7 +357,7 @@ TEST(ContactTermsTest, contact_without_a_term_is_bitwise_the_full_one_where_the_
 TEST(ContactTermsTest, friction_that_is_switched_on_begins_without_shear)
 {
 	constexpr Real slid = 1e-8;
-	Touch          touch { Body::cube(), Body::cube({ 0, 0, edge - 1e-5 }), pairs::springs(), {}, {}, {}, {}, {} };
+	Touch          touch(Body::cube(), Body::cube({ 0, 0, edge - 1e-5 }), pairs::springs());
 	const auto     slide = [&](Real by, const LawTerms& terms) {
                 touch.second.placement.position[0] += by;
                 touch.second.placement.velocity[0] = by / 1e-5;
