@@ -127,7 +127,7 @@ public:
 		.def("slip", &BrickPhys::slip, (boost::python::arg("geom")), "How far the second body (that with the higher id, or the brick on a support) has moved along the joint against the first since they were joined, at the middle of each segment, in the last step, world axes [m].")
 		.def("utilisation", &BrickPhys::utilisation, (boost::python::arg("geom")), "Stress of each segment of a joint in the last step as a share of the mortar's strength, in the mode that is nearest to failure [-]; 0 for one that has failed.")
 		.def("segmentOutlines", &BrickPhys::segmentOutlines, (boost::python::arg("geom")), "Four corners of each segment of a joint in the last step, midway between its sides, one segment after the other, world axes [m]. A segment that the border of the joint cuts is shown as a rectangle of the same middle and area.")
-		.def("segmentTable", &BrickPhys::segmentTable, (boost::python::arg("geom")), "All of this at once, for results of many joints: bytes of float64, 24 for each segment: its outline (12), place (3), opening, slip (3), normal stress, shear stress (3), utilisation.")
+		.def("segmentTable", &BrickPhys::segmentTable, (boost::python::arg("geom")), "All of this at once, for results of many joints: bytes of float64, 24 for each segment: its outline (12), place (3), opening, slip (3) [m], normal stress, shear stress (3) [Pa], utilisation [-].")
 		.def("elasticEnergy", &BrickPhys::elasticEnergy, (boost::python::arg("geom")), "Elastic energy of the springs of this joint or contact in the last step [J].")
 	);
 	// clang-format on

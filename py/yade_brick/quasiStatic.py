@@ -51,6 +51,11 @@ def tiltingTable(rate, upTo, direction="x", gravity=9.81, ease=0.5, hold=5.0):
 def tiltAt(motion, time, gravity=9.81):
 	"""Angle of a tiltingTable [rad] at times since its first sample [s]; 0 before and after, as for GroundMotion.
 
+	:param motion: Motion made by tiltingTable
+	:param time: [s], a number or (k,)
+	:param gravity: that it was made with [m/s2]
+	:returns: [rad], a number or (k,)
+
 	>>> float(tiltAt(tiltingTable(rate=0.1, upTo=0.5), 8.0).round(9))  # held
 	0.5
 	"""
@@ -87,7 +92,8 @@ def loadAt(motion, time):
 	"""What a motion applies to bodies, -z'' [m/s2], at times since its first sample [s]: linear between samples, zero before and after, as GroundMotion
 	does it.
 
-	:param time: a number, or (k,)
+	:param motion: Motion
+	:param time: [s], a number or (k,)
 	:returns: (3,), or (k, 3)
 	"""
 	columns = [np.interp(time, motion.times(), -motion.acceleration[:, axis], left=0.0, right=0.0) for axis in range(3)]

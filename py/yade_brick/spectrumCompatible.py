@@ -63,7 +63,15 @@ def syntheticFromSpectrum(
 
 
 def mismatch(motion, periods, accelerations, damping=0.05, axis="x"):
-	"""Largest relative difference of a motion's pseudo-acceleration to a target at the target's periods [-]."""
+	"""Largest relative difference of a motion's pseudo-acceleration to a target at the target's periods.
+
+	:param motion: Motion
+	:param periods: of the target [s], > 0
+	:param accelerations: the target [m/s2]
+	:param damping: share of critical, 0 <= damping < 1
+	:param axis: 'x', 'y' or 'z'
+	:returns: share of the target [-]
+	"""
 	found = responseSpectrum(motion, periods, damping).of(axis)
 	return float(np.abs(found / np.asarray(accelerations) - 1).max())
 
