@@ -13,6 +13,7 @@
 #include "kernel/Placement.hpp"
 
 #include <algorithm>
+#include <memory>
 
 namespace brick {
 struct JointShape;
@@ -85,7 +86,11 @@ public:
 	long contactStep = -1; // the last step with an ordinary contact
 	bool counted     = false; // by BrickTimeStepper, with the joints that it has now
 
-	std::vector<LostJoint> lostJoints; // of which it was side 1
+private:
+	bool changing = false; // see isChanging; here, where it takes no room of its own
+
+public:
+	std::unique_ptr<std::vector<LostJoint>> lostJoints; // of which it was side 1; null as long as there are none
 
 	brick::Placement placement(const Vector3r& position, const State& state) const;
 	brick::Side      side(const Vector3r& position, const State& state) const;
@@ -175,7 +180,6 @@ Limitations: small strain in the co-rotated frame; inertia forces of the rotatio
 
 private:
 	BrickLevel                         wanted; // by the attributes as they were last found right
-	bool                               changing  = false;
 	Real                               lastShare = 1; // in the last step
 	shared_ptr<const brick::InnerPart> inside;
 	BrickLevel                         wantedLevel() const;

@@ -465,6 +465,13 @@ namespace {
 		phys.shearForce         = sign * sum.shearForce;
 	}
 
+	/// For the 3-D view.
+	void noteLost(Brick& shape, Body::id_t other, const BrickPhys& phys)
+	{
+		if (!shape.lostJoints) shape.lostJoints = std::make_unique<std::vector<LostJoint>>();
+		shape.lostJoints->push_back({ other, phys.joint.shape, phys.joint.restGap, phys.segmentState() });
+	}
+
 	/// The last segment has failed: the pair goes on as an ordinary contact, with the same shear, and with the joint's forces in this step.
 	void endJoint(const brick::Side& side0, const brick::Side& side1, const brick::LawTerms& terms, BrickGeom& geom, BrickPhys& phys)
 	{
@@ -541,7 +548,7 @@ void Law2_BrickGeom_BrickPhys_Mortar::applyJoint(BrickGeom& geom, BrickPhys& phy
 	if (phys.joint.intact() > 0) return;
 	const Vector3r&   at = second.state->pos;
 	const DrawingLock lock;
-	static_cast<Brick&>(*second.shape).lostJoints.push_back({ first.getId(), phys.joint.shape, phys.joint.restGap, phys.segmentState() });
+	noteLost(static_cast<Brick&>(*second.shape), first.getId(), phys);
 	endJoint(sideOfBody(first, geom.supportSolid, at), sideOfBody(second, geom.supportSolid, at), terms, geom, phys);
 }
 

@@ -189,16 +189,17 @@ void BrickDynamics::moveBrickOn(Body& b, Brick& shape, const brick::NodalVectors
 		Real* const              work   = guard ? &step.work : nullptr;
 		shape.advance(nodal, static_cast<const BrickMat&>(*b.material).dampingRatio, damping, scene->dt, dashpots, energy, work);
 	}
-	if (!scene->doSort && !scene->isPeriodic) askForNewBounds(b, shape, step);
+	if (!scene->doSort && !scene->isPeriodic) askForNewBounds(b, shape);
 }
 
 /// The collider's strides watch centres only; a brick that turns or bulges out of its box asks for a new run, before it does.
-void BrickDynamics::askForNewBounds(const Body& b, const Brick& shape, const BodyStep& step) const
+void BrickDynamics::askForNewBounds(const Body& b, const Brick& shape) const
 {
 	if (!b.bound || b.bound->lastUpdateIter == scene->iter) return;
 	constexpr Real others = 1e-3; // of the stride: for forces that are not ours, such as the weight, and for the arc of a turn
-	const State&   s = *b.state;
-	const Real     dt = scene->dt, ours = movesFreely(b) ? step.force.norm() / s.mass + step.torque.norm() / s.inertia.minCoeff() * shape.solid->reach.sum() : 0;
+	const State&    s    = *b.state;
+	const BodyStep& step = steps[b.getId()];
+	const Real      dt = scene->dt, ours = movesFreely(b) ? step.force.norm() / s.mass + step.torque.norm() / s.inertia.minCoeff() * shape.solid->reach.sum() : 0;
 	if (!shape.willReachOut(s, dt, dt * dt * ours + others * b.bound->sweepLength, b.bound->min, b.bound->max)) return;
 #pragma omp atomic write
 	scene->doSort = true;

@@ -60,7 +60,7 @@ private:
 	void changeLevels();
 	void countAnew(const Body&);
 	void forgetStepLimit();
-	void askForNewBounds(const Body&, const Brick&, const BodyStep&) const;
+	void askForNewBounds(const Body&, const Brick&) const;
 	void dropHeldApart();
 	void takeUpReleased(const Body&);
 	[[noreturn]] void stop(const string& why) const;

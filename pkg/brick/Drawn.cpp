@@ -58,7 +58,8 @@ std::vector<std::pair<DrawnJoint, Body::id_t>> drawnLostJoints(const Brick& b)
 {
 	std::vector<std::pair<DrawnJoint, Body::id_t>> found;
 	const DrawingLock                              lock;
-	for (const LostJoint& lost : b.lostJoints) {
+	if (!b.lostJoints) return found;
+	for (const LostJoint& lost : *b.lostJoints) {
 		DrawnJoint drawn;
 		drawn.joint.shape   = std::const_pointer_cast<brick::JointShape>(lost.shape); // which a Joint does not write to
 		drawn.joint.restGap = lost.restGap;

@@ -23,7 +23,7 @@ Attributes are set for all views at once, in a script, such as ``Gl1_Brick.field
 Limitations: bricks that share one shape object have one colour.)",
 		((BrickField, field, BrickField::color, , "What bricks are coloured by: 'color' (:yref:`Shape.color` of each), 'displacement' (from :yref:`State.refPos` [m]), 'speed' [m/s], 'meanStress', 'verticalStress' (along z), 'principalStress' (the largest), 'vonMisesStress' [Pa], 'level' (of deformation: 0 rigid, 1 uniform, 2 trilinear, 3 refined), 'utilisation' (of the brick's mortar joints, the largest of all segments that hold: 1 at failure) or 'failed' (share of the segments of its joints that have failed)."))
 		((Vector2r, range, Vector2r(NaN, NaN), , "Values that the first and the last colour stand for. NaN: the least or the largest of all bricks at present; from 0 to 3 or to 1 for 'level', 'utilisation' and 'failed'."))
-		((Vector2r, shownRange, Vector2r(NaN, NaN), Attr::readonly, "The range in use when the view was last painted, in the unit of the field."))
+		((Vector2r, shownRange, Vector2r(NaN, NaN), Attr::readonly, "The range in use when the view was last painted [unit of the field]."))
 		((Real, deformationScale, 1, , "Factor by which the deformation of bricks is magnified, about their rigid motion [-]. See also ``yade.qt.Renderer().dispScale``."))
 		((bool, wire, false, , "Draw edges of the surface only."))
 		((bool, edges, true, , "Draw the twelve edges of each brick in :yref:`edgeColor<Gl1_Brick.edgeColor>`."))

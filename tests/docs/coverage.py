@@ -23,7 +23,7 @@ covered = [
         (r".*examples/07_", ["example.deformationOnDemand", "python"], "whole motions; test_onDemand.py tests what it says of results"),
         (r"build/yade .*doc/figures/", ["docs.figure.*"], ""),
         (r".*examples/15_", ["example.window", "yade.testWindow"], "a real screen"),
-        (r"yade-batch walls\.table", ["docs.commands"], "yade-batch itself: study.runStudy runs the same table"),
+        (r"build/yade-batch |build/yade .*scripts/study\.py", ["yade.testStudy"], "another table of four rows"),
         # benchmarks
         (r"build/yade .*benchmarks/scenes/bricks\.py", ["budget.*"], "this scene; budget's are built by the same modules"),
         # elsewhere

@@ -29,7 +29,7 @@ class Heap(Case):
 		for axis in (0, 1):
 			for side in (-1, 1):
 				O.bodies.append(utils.wall(side * self.half, axis=axis, sense=-side, material=m))
-		chance = random.Random(1)
+		chance = random.Random(3)
 		for i in range(count):
 			column, row, layer = i % across, i // across % across, i // across**2
 			turn = Quaternion(Vector3(*[chance.gauss(0, 1) for _ in range(3)]).normalized(), chance.uniform(0, math.pi))

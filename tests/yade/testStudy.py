@@ -6,7 +6,10 @@ from yade.utils import TableParamReader
 
 from yade_brick import study
 
-script = os.path.join(os.path.dirname(os.path.abspath(sys.modules[__name__].__file__)), 'studyRow.py')
+import buildYade
+
+here = os.path.dirname(os.path.abspath(sys.modules[__name__].__file__))
+script = os.path.join(here, 'studyRow.py')
 TABLE = 'walls.table'
 ROWS = [dict(height=height, what=what) for height, what in ((1.5, 'well'), (2., 'crash'), (2.5, 'killed'), (.1 + .2, 'well'))]
 
@@ -64,3 +67,6 @@ class Study(unittest.TestCase):
 			self.assertAlmostEqual(found['result']['height'], row['height'] - 9.8 / 2 * .01**2, delta=9.8 * .01 * 1e-3)  # one step of the fall
 		self.assertEqual(study.resultOf(study.readTable(TABLE)[0])['height'], float(rows[0]['height']))
 		self.assertEqual(self.run_()[0].run, 0)
+		process = buildYade.run('-n', '-x', os.path.join(here, '..', '..', 'scripts', 'study.py'), TABLE, script, '--jobs', '1')
+		self.assertIn('4 of 4 rows are finished already', process.stdout + process.stderr)
+		self.assertEqual(process.returncode, 0)
