@@ -52,10 +52,9 @@ def runWithCheckpoints(
 	O.bodies, engines by their labels. What engines and callbacks need besides (functions, plot.plots, ...) is defined outside of `build`. A checkpoint holds
 	the whole scene with time, step, engines and tags, the data of yade.plot, and `memory`.
 
-	With `saveEvery` an interruption changes no bit of the result, provided that callbacks keep in `memory` whatever they carry from one call to the next. One
-	thing is not saved: when the collider, which strides, last looked for new contacts. It looks after loading, and so it is made to look where `saveEvery` writes
-	a checkpoint, in every run alike. Checkpoints by elapsed time leave it alone, lest the machine's speed matter; a run that goes on from one of these may find
-	the contact of a brick that flies and turns a step earlier or later. The ledger O.energy is not exact over loading either.
+	An interruption changes no bit of the result, provided that callbacks keep in `memory` whatever they carry from one call to the next. (One thing is not saved:
+	when the collider, which strides, last looked for new contacts. It looks after loading; that makes no difference, since bricks tell before they leave their
+	boxes.) The ledger O.energy is not exact over loading.
 
 	A checkpoint is written at the start, at the intervals, at the end, and when the program is told to end (Ctrl-C, SIGTERM) before it does so; the `keep` newest
 	are kept. A damaged one is passed over for the one before, which is said. A finished run that is called again does nothing; with a later end it goes on.
@@ -147,7 +146,7 @@ class _Run:
 	def begin(self):
 		self.facts.update(begin=self.scene.time, firstStep=self.scene.iter)
 		self.resumed = time.perf_counter()
-		self.saveAndLook()
+		self.save()
 
 	def restore(self):
 		"""Loads the newest checkpoint that is whole; False where there is none at all."""
@@ -224,20 +223,13 @@ class _Run:
 	def saveStops(self, begin, end, saveEvery):
 		for count in range(1, progress.multiplesBefore(begin, end, saveEvery) + 1):
 			if begin + count * saveEvery - progress.stepShare * self.scene.dt >= self.scene.time:
-				yield begin + count * saveEvery, self.saveAndLook
+				yield begin + count * saveEvery, self.save
 
 	def report(self):
 		facts = self.facts
 		return LongRunReport(facts["steps"], self.scene.time - facts["begin"], facts["wallSeconds"], not facts["stopped"], self.restartedAt)
 
 	# Saving
-
-	def saveAndLook(self):
-		"""A checkpoint after which this run, too, goes on with a look for new contacts."""
-		self.save()
-		for engine in self.scene.engines:
-			if hasattr(engine, "boundDispatcher"):  # a collider; called so it acts at once
-				engine()
 
 	def save(self):
 		"""Writes a checkpoint; the folder of it appears at once and whole. A second one of the same step takes the place of the first."""

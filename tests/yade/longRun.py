@@ -38,13 +38,7 @@ def found(memory):
 	return json.dumps([collapse.fingerprint(), memory, {name: list(values) for name, values in sorted(plot.data.items())}])
 
 
-def lookedAt():
-	"""Step in which the collider last looked for new contacts: when it does can decide in which step the contact of a brick that flies and turns is found."""
-	return max(b.bound.lastUpdateIter for b in O.bodies)
-
-
 if __name__ == '__main__':
 	report, memory = run(sys.argv[1], float(sys.argv[2]), float(sys.argv[4]) if 'kill' in sys.argv else None)
 	print('found', found(memory))
-	print('looked', lookedAt())
 	print('report', json.dumps(report._asdict()))
