@@ -41,7 +41,7 @@ class Study(unittest.TestCase):
 
 	def test_failures_are_kept_apart_and_resumed(self):
 		batch = os.path.join(os.path.dirname(os.environ['YADE_PREFIX']), 'yade-batch')
-		process = subprocess.run([batch, '-j1', '-l', '2', TABLE, script], capture_output=True, text=True, timeout=120)
+		process = subprocess.run([batch, '-j1', '-l', '2', '--log', os.path.join(os.getcwd(), '@.log'), TABLE, script], capture_output=True, text=True, timeout=120)
 		self.assertIn('well-1.5) done', process.stdout, process.stdout + process.stderr)
 
 		first, shown = self.run_()
