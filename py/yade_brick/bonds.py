@@ -100,9 +100,15 @@ class Bond:
 		joints = self._withoutSlivers(joints, avoided)
 		return self._lapped(joints, avoided)
 
-	def wythesAt(self, length):
-		"""Wythes of a piece of that length: one that is no longer than a header goes through the wall."""
-		return 1 if length <= self.size[1] * (1 + samePlace) else self.wythes
+	def pieces(self, places):
+		"""Pieces between head joints, as (low, high, (side, side)) along and across the wall, across from its middle [m]; one that is no longer than a header
+		goes through the wall, others lie in as many wythes as the bond has."""
+		laid = []
+		for low, high in zip(places, places[1:]):
+			wythes = 1 if high - low <= self.size[1] * (1 + samePlace) else self.wythes
+			edges = [self.thickness * (side / wythes - 0.5) for side in range(wythes + 1)]
+			laid += [(low, high, sides) for sides in zip(edges, edges[1:])]
+		return laid
 
 	def _closersInside(self, course, joints, avoided):
 		"""A course that ends with a closer and a header has them change places."""

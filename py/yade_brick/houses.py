@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from .blocks import Block, masonry
 from .bonds import bond as makeBond, samePlace
 from .build import _count
-from .checks import isFinite
+from .checks import checkPositive, isFinite
 from .openings import Fixture, fixturesOf, wholeCourses
 from .walls import courseCount, laidWalls, legsOf, wholeOptions
 
@@ -121,8 +121,7 @@ def _checkFloor(floor, name, laying, inStorey, topmost):
 	if floor.span not in (None, "x", "y"):
 		raise ValueError(f"span of the {name} is {floor.span!r}; allowed are 'x', 'y' and None")
 	for what, value in (("thickness", floor.thickness), ("width", floor.width)):
-		if not (isFinite(value) and value > 0):
-			raise ValueError(f"{what} of the {name} is {value!r}; allowed is a finite number > 0 m")
+		checkPositive(value, f"{what} of the {name}", "m")
 	_count(floor.count, f"count of the {name}")
 	least = -laying.thickness if topmost else 0.0
 	if not (isFinite(floor.overhang) and (floor.overhang > least or floor.overhang == 0)):
@@ -232,12 +231,9 @@ def _laidGables(slope, legs, lengths, laying, first, foot):
 		below, course = [], first
 		while leg.length - 2 * (inset := (course + 1 - first) * height / math.tan(slope)) > laying.size[0] * (1 - samePlace):
 			places = laying.course(course + leg.axis, inset, leg.length - inset, below)
-			for one, other in zip(places, places[1:]):
-				wythes = laying.wythesAt(other - one)
-				for side in range(wythes):
-					edges = [laying.thickness * ((side + end) / wythes - 0.5) for end in range(2)]
-					(x0, y0), (x1, y1) = leg.across(one, other, edges)
-					level = foot + course * height
-					laid.append(Block((x0, y0, level), (x1, y1, level + height), "brick", course, leg.label, (leg.name, "gables")))
+			level = foot + course * height
+			for piece in laying.pieces(places):
+				(x0, y0), (x1, y1) = leg.across(*piece)
+				laid.append(Block((x0, y0, level), (x1, y1, level + height), "brick", course, leg.label, (leg.name, "gables")))
 			below, course = places[1:-1], course + 1
 	return laid

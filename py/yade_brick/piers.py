@@ -7,7 +7,7 @@ import math
 from .blocks import Block, masonry, turned
 from .bonds import bond, samePlace
 from .build import Masonry, _count, _vector, brick, checkWallOptions
-from .checks import isFinite
+from .checks import checkPositive, isFinite
 from .walls import courseCount, wholeOptions
 
 
@@ -67,8 +67,7 @@ def column(drums=6, height=1.5, base=(0.4, 0.4), top=None, origin=(0, 0, 0), dir
 	:raises ValueError: naming the argument, its value and what is allowed
 	"""
 	checkWallOptions(brickOptions)
-	if not (isFinite(height) and height > 0):
-		raise ValueError(f"height is {height!r}; allowed is a finite number > 0 m")
+	checkPositive(height, "height", "m")
 	foot, head = _section(base, "base"), _section(base if top is None else top, "top")
 	if any(upper > lower for lower, upper in zip(foot, head)):
 		raise ValueError(f"top is {top!r} and base is {base!r}; allowed is a top that is no larger than the base")

@@ -5,13 +5,10 @@
 
 import numpy as np
 
-from .snapshot import numbers, statesOf, toBodies, toReference, toWorld
+from .snapshot import numbers, statesOf, toBodies, toReference, toWorld, unseen
 
 #: What BrickPhys.segmentTable holds of each segment: name and numbers.
 _columns = {"outline": 12, "point": 3, "opening": 1, "slip": 3, "normalStress": 1, "shearStress": 3, "utilisation": 1}
-
-#: State of a segment that was intact at the last look, and whose joint was gone by the next.
-unseen = 4
 
 
 class SegmentRecord:

@@ -10,6 +10,9 @@ import numpy as np
 from .build import brickColor
 from .picture import Marks, Patch
 
+#: State of a segment that was intact at the last look, and whose joint was gone by the next.
+unseen = 4
+
 
 def patches(bodies, colors=None):
 	"""The bricks among the bodies, to draw.
@@ -85,7 +88,7 @@ class JointRecord:
 			interaction = O.interactions[pair] if O.interactions.has(*pair) else None
 			now = statesOf(interaction) if interaction is not None else None
 			# What failed stays failed as it was seen to; what is not known any more failed unseen.
-			self._states[pair] = now if now is not None else [state or 4 for state in before]
+			self._states[pair] = now if now is not None else [state or unseen for state in before]
 
 	def marks(self, widest=0.02):
 		"""The segments where they are now, midway between their two sides, as picture.Marks; `update` first.
@@ -99,7 +102,7 @@ class JointRecord:
 	def failedByMode(self):
 		"""Number of failed segments as dict: tension, shear, compression, unseen."""
 		every = [state for states in self._states.values() for state in states]
-		return {name: every.count(state) for state, name in ((1, "tension"), (2, "shear"), (3, "compression"), (4, "unseen"))}
+		return {name: every.count(state) for state, name in ((1, "tension"), (2, "shear"), (3, "compression"), (unseen, "unseen"))}
 
 	def segmentCount(self):
 		"""Number of segments of all joints."""

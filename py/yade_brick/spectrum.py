@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .checks import isFinite
+from .checks import checkPositive, isFinite
 from .motion import axisNames
 
 #: Periods that a spectrum is asked at unless others are given [s].
@@ -84,8 +84,7 @@ def oscillator(motion, period, damping=0.05):
 	:param damping: zeta, 0 <= zeta < 1
 	:returns: relative displacement [m], relative velocity [m/s], absolute acceleration [m/s2], (n, 3) each
 	"""
-	if not (isFinite(period) and period > 0):
-		raise ValueError(f"period is {period!r}; allowed is a finite number > 0 s")
+	checkPositive(period, "period", "s")
 	_checkDamping(damping)
 	root = _root(period, damping)
 	columns = [_parts(_complexResponse(motion.acceleration[:, axis], motion.dt, root), root) for axis in range(3)]

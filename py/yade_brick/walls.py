@@ -9,7 +9,7 @@ from typing import NamedTuple
 from .blocks import Block, masonry
 from .bonds import bond as makeBond, samePlace
 from .build import checkWallOptions
-from .checks import isFinite
+from .checks import checkPositive, isFinite
 from .openings import checkFixtures, fixturesOf, wholeCourses
 
 
@@ -42,8 +42,7 @@ def bondedWall(
 	>>> wall = bondedWall(2.5, 1.8, "Flemish", openings=[window], material=adobe, lintels=dict(material=concrete))
 	"""
 	laying = makeBond(bond, size, offset, smallest)
-	if not (isFinite(length) and length > 0):
-		raise ValueError(f"length is {length!r}; allowed is a finite number > 0 m")
+	checkPositive(length, "length", "m")
 	middle = 0.5 * laying.thickness
 	legs = legsOf([(0, middle), (length, middle)], laying, names=("wall",))
 	return _builtWalls(legs, height, laying, {0: openings}, lintels, origin, direction, brickOptions)
@@ -251,10 +250,7 @@ def _laidCourse(leg, laying, course, fixtures, below):
 		if low - begin > margin:
 			places = _laidBetween(leg, laying, course, begin, low, avoided)
 			joints += places[1:-1]
-			for one, other in zip(places, places[1:]):
-				wythes = laying.wythesAt(other - one)
-				edges = [laying.thickness * (side / wythes - 0.5) for side in range(wythes + 1)]
-				pieces += [(one, other, (edges[side], edges[side + 1])) for side in range(wythes)]
+			pieces += laying.pieces(places)
 		begin = high
 	return pieces, joints
 

@@ -171,9 +171,7 @@ class PaintOrderTest(unittest.TestCase):
 		boxes = []
 		for course in range(5):
 			places = flemish.course(course, 0, 1)
-			for one, other in zip(places, places[1:]):
-				wythes = flemish.wythesAt(other - one)
-				boxes += [((one, 0.2 * k / wythes, 0.1 * course), (other, 0.2 * (k + 1) / wythes, 0.1 * course + 0.1)) for k in range(wythes)]
+			boxes += [((one, 0.1 + front, 0.1 * course), (other, 0.1 + back, 0.1 * course + 0.1)) for one, other, (front, back) in flemish.pieces(places)]
 		low, high = np.array(boxes).transpose(1, 0, 2)
 		corners = 0.5 * (low + high)[:, None] + 0.5 * signs * (high - low)[:, None]
 		random = np.random.default_rng(1)

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Arches and barrel vaults: shape and volume in closed form, joints of all neighbours, what is refused, and the thrust under self weight against
 # elasticity of a curved bar and against the bounds of limit analysis.
-import math, unittest
+import math
 
 import numpy as np
 from scipy.optimize import linprog
 
 import yade_brick
-from yade import O, Vector3, utils
+from yade import O, utils
 from yade_brick import *
+
+from buildCase import BuildCase
 
 DENSITY, GRAVITY = 2000., 9.81
 
@@ -26,16 +28,11 @@ def volume(bodies):
 	return math.fsum(body.shape.volume for body in bodies)
 
 
-class ArchCase(unittest.TestCase):
+class ArchCase(BuildCase):
 
 	def setUp(self):
-		O.reset()
+		super().setUp()
 		self.stone = stone()
-
-	def refused(self, words, call):
-		with self.assertRaisesRegex(ValueError, words):
-			call()
-		self.assertEqual(len(O.bodies), 0)
 
 
 class Shapes(ArchCase):

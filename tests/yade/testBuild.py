@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Builders: where bricks go, what they weigh, which order walls have, and what is refused.
-import math, unittest
+import math
 
 from yade import O, Quaternion, Vector3
 from yade_brick import BrickMat, build, syntheticNearFault
+
+from buildCase import BuildCase
 
 nan = float('nan')
 # corners of a wedge: a unit cube whose upper edge at x = 1 is drawn in to x = 0.5; its volume and centre follow by hand
@@ -12,20 +14,6 @@ wedge = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (.5, 0, 1), (.5,
 
 def adobe(**attributes):
 	return BrickMat(young=9.8e6, poisson=.25, density=1800, frictionAngle=.56, **attributes)
-
-
-class BuildCase(unittest.TestCase):
-
-	def setUp(self):
-		O.reset()
-
-	def close(self, got, expected, tolerance):
-		self.assertLess((Vector3(*got) - Vector3(*expected)).norm(), tolerance, '%s is not %s' % (got, expected))
-
-	def refused(self, words, call):
-		with self.assertRaisesRegex(ValueError, words):
-			call()
-		self.assertEqual(len(O.bodies), 0)
 
 
 class SingleBrick(BuildCase):

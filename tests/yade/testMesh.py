@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Bricks from mesh files: node order, units, groups, what is refused, and the way there and back.
-import os, tempfile, unittest
+import os, tempfile
 
 import meshio
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkHexahedron
 
-from yade import O, Vector3
+from yade import O
 from yade_brick import *
 from yade_brick.build import cornerSigns
+
+from buildCase import BuildCase
 
 unit = (np.array(cornerSigns, dtype=float) + 1) / 2  # corners of the unit cube in the order of Brick.corners
 
@@ -24,15 +26,7 @@ def cubes(count, **data):
 	return meshio.Mesh(points, [('hexahedron', np.arange(8 * count).reshape(count, 8))], cell_data={name: [np.array(values)] for name, values in data.items()})
 
 
-class MeshCase(unittest.TestCase):
-
-	def setUp(self):
-		O.reset()
-
-	def refused(self, words, call, error=ValueError):
-		with self.assertRaisesRegex(error, words):
-			call()
-		self.assertEqual(len(O.bodies), 0)
+class MeshCase(BuildCase):
 
 	def corners(self, body):
 		return np.array([tuple(corner) for corner in body.shape.worldCorners(body.state)])

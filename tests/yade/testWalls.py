@@ -8,6 +8,8 @@ import yade_brick
 from yade import O, Vector3, utils
 from yade_brick import BrickMat, Floor, Mortar, MortarJoints, Opening, StaticEquilibrium, bondedWall, column, house, isAtRest, pier, restState, wallsAlong
 
+from buildCase import BuildCase
+
 size = (.2, .1, .05)
 gravity, density = 9.81, 1800
 bondNames = ('stack', 'running', 'English', 'Flemish')
@@ -18,18 +20,7 @@ def clay(density=density):
 	return BrickMat(young=2e9, poisson=.2, density=density, frictionAngle=.56, mortar=mortar)
 
 
-class WallCase(unittest.TestCase):
-
-	def setUp(self):
-		O.reset()
-
-	def close(self, got, expected, tolerance):
-		self.assertLess((Vector3(*got) - Vector3(*expected)).norm(), tolerance, '%s is not %s' % (got, expected))
-
-	def refused(self, words, call):
-		with self.assertRaisesRegex(ValueError, words):
-			call()
-		self.assertEqual(len(O.bodies), 0)
+class WallCase(BuildCase):
 
 	def joints(self, masonry):
 		"""Number of joints between the bricks; there is no ground."""
